@@ -5,6 +5,8 @@
 #include "Module/PhantomFiles.h"
 #include "Module/VolumeRead.h"
 
+#include <vtkDataSetAttributes.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVolumeFileReader.h>
 #include <vtkXMLWriter.h>
 
@@ -205,6 +207,17 @@ TEST_F(VoxelsOnDisk, TellOfTheLevelThatWasDrawnLast)
   const auto* const one = static_cast<const unsigned char*>(voxels->GetScalarPointer());
   const auto* const other = static_cast<const unsigned char*>(coarse->GetScalarPointer());
   EXPECT_FALSE(std::equal(one, one + 4 * voxels->GetNumberOfPoints(), other));
+}
+
+TEST_F(VoxelsOnDisk, HaveNoCoarseLevelIfSomeAreBlanked)
+{
+  vtkImageData* const image = this->ReadTorso(this->WriteTorso());
+  image->AllocatePointGhostArray();
+  image->GetPointGhostArray()->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+  MapperScene scene(image);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::CoarseLevel);
+  scene.DrawByProcessor();
+  EXPECT_EQ(scene.mapper->GetLevelErrorBound(), 0.0) << "the level does not know which";
 }
 
 TEST_F(VoxelsOnDisk, HaveNoBoundWhereMoreThanTheirValuesDecides)
