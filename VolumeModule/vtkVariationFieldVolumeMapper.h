@@ -631,7 +631,8 @@ public:
    * Level by which a volume that vtkVolumeFileReader has left in its file is drawn: its voxels, or
    * the means of cubes of 4 x 4 x 4 voxels, which are in memory. AutomaticLevel takes the means
    * during interaction (see MinimumImageSampleDistance). Volumes in memory, overlapping ones, and
-   * those with a mask or blanked voxels are always drawn by their voxels. Default: AutomaticLevel.
+   * those with a mask or blanked voxels are always drawn, and all are picked, by their voxels.
+   * Default: AutomaticLevel.
    */
   enum
   {

@@ -6,6 +6,10 @@
 #include "Module/VolumeRead.h"
 
 #include <vtkDataSetAttributes.h>
+#include <vtkHardwareSelector.h>
+#include <vtkIdTypeArray.h>
+#include <vtkSelection.h>
+#include <vtkSelectionNode.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolumeFileReader.h>
 #include <vtkXMLWriter.h>
@@ -218,6 +222,29 @@ TEST_F(VoxelsOnDisk, HaveNoCoarseLevelIfSomeAreBlanked)
   scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::CoarseLevel);
   scene.DrawByProcessor();
   EXPECT_EQ(scene.mapper->GetLevelErrorBound(), 0.0) << "the level does not know which";
+}
+
+std::vector<vtkIdType> SelectedPoints(MapperScene& scene)
+{
+  scene.DrawByProcessor();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  selector->SetArea(0, 0, unsigned(scene.size - 1), unsigned(scene.size - 1));
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  auto* const ids = selection->GetNumberOfNodes() == 1
+    ? vtkIdTypeArray::SafeDownCast(selection->GetNode(0)->GetSelectionList())
+    : nullptr;
+  return ids ? std::vector<vtkIdType>(ids->Begin(), ids->End()) : std::vector<vtkIdType>();
+}
+
+TEST_F(VoxelsOnDisk, AreSelectedByTheirOwnNumbersInAnyLevel)
+{
+  MapperScene scene(this->ReadTorso(this->WriteTorso()));
+  const std::vector<vtkIdType> voxels = SelectedPoints(scene);
+  EXPECT_GT(voxels.size(), 100u);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::CoarseLevel);
+  EXPECT_EQ(SelectedPoints(scene), voxels);
 }
 
 TEST_F(VoxelsOnDisk, HaveNoBoundWhereMoreThanTheirValuesDecides)

@@ -103,6 +103,10 @@ void LevelOfDetail::UpdateImage(const std::shared_ptr<const VolumeSummary>& newS
 std::optional<Frame> LevelOfDetail::FrameInstead(
   vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame)
 {
+  if (Picks(frame.pass.kind))
+  {
+    return std::nullopt; // points and cells have the numbers of the voxels
+  }
   this->bound = nullptr;
   const int wanted = mapper->GetLevelOfDetail();
   const bool isCoarse = wanted == vtkVariationFieldVolumeMapper::CoarseLevel ||
