@@ -163,7 +163,7 @@ TEST(BadVolumeFiles, WithBytesChangedTheyAreReadOrRefused)
   std::mt19937 random(20240611);
   for (const GoodFile& file : GoodFiles())
   {
-    for (int round = 0; round < 80; ++round)
+    for (int round = 0; round < 40; ++round)
     {
       std::string bytes = file.bytes;
       for (int change = 0; change < 3; ++change)
