@@ -81,6 +81,28 @@ TEST_F(DrawnSegments, BeginEmptyAndAreInTheTable)
   this->model.History()->undo();
   this->model.History()->undo();
   EXPECT_FALSE(this->model.CurrentScene().labels);
+  EXPECT_FALSE(this->model.HasUnsavedLabels());
+}
+
+TEST_F(DrawnSegments, AreUnsavedUnlessTheirFileHasTheSameVoxels)
+{
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  this->Stroke(100, 120);
+  EXPECT_TRUE(this->model.HasUnsavedLabels());
+  this->model.TakeSavedLabels("/scans/drawn.seg.nrrd", "save");
+  EXPECT_FALSE(this->model.HasUnsavedLabels());
+  this->Stroke(150, 200);
+  EXPECT_TRUE(this->model.HasUnsavedLabels());
+  this->model.History()->undo();
+  EXPECT_FALSE(this->model.HasUnsavedLabels());
+  this->model.History()->undo(); // no file is named
+  this->model.History()->undo(); // nothing is painted
+  EXPECT_TRUE(this->model.HasUnsavedLabels());
+  this->model.CloseLabels("close");
+  EXPECT_FALSE(this->model.HasUnsavedLabels());
+  this->model.History()->undo();
+  EXPECT_TRUE(this->model.HasUnsavedLabels());
 }
 
 TEST_F(DrawnSegments, ABrushPaintsAndErasesInOneStepEach)

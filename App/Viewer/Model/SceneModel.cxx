@@ -85,7 +85,8 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   TakeSegments(restored);
   TakeOverlays(restored);
   this->edited = 0;
-  this->hasUnsavedLabels = false;
+  this->versionsInFiles.clear();
+  this->TakeVersionOfFile(restored);
   this->Replace({ ScenePart::Volume }, restored);
 }
 
@@ -93,9 +94,10 @@ void SceneModel::Exchange(
   const VolumeSource& source, std::shared_ptr<const Study> form, const QString& name)
 {
   this->exchanged = this->state.study;
-  State changed = { WithOverlaysOf(*this->state.study, form), this->state.scene };
+  State changed = this->WithStudy(WithOverlaysOf(*this->state.study, form));
   changed.scene.volume = source;
   TakeSegments(changed);
+  this->TakeVersionOfFile(changed);
   changed.scene.cuts.box =
     BoxInOther(changed.scene.cuts.box, this->exchanged->volume.image, changed.study->volume.image);
   this->history.push(
@@ -105,18 +107,17 @@ void SceneModel::Exchange(
 void SceneModel::ShowLabels(
   const SceneLabels& labels, std::shared_ptr<const Study> labelled, const QString& name)
 {
-  State changed = { std::move(labelled), this->state.scene };
+  State changed = this->WithStudy(std::move(labelled));
   changed.scene.labels = labels;
   TakeSegments(changed);
-  this->hasUnsavedLabels = false;
+  this->TakeVersionOfFile(changed);
   this->PushLabels(std::move(changed), name);
 }
 
 void SceneModel::CloseLabels(const QString& name)
 {
-  State changed = { WithoutLabels(*this->state.study), this->state.scene };
+  State changed = this->WithStudy(WithoutLabels(*this->state.study));
   TakeSegments(changed);
-  this->hasUnsavedLabels = false;
   this->PushLabels(std::move(changed), name);
 }
 
@@ -131,7 +132,7 @@ void SceneModel::AddOverlay(
 {
   Study study = *this->state.study;
   study.overlays.push_back(std::move(added));
-  State changed = { std::make_shared<const Study>(std::move(study)), this->state.scene };
+  State changed = this->WithStudy(std::make_shared<const Study>(std::move(study)));
   changed.scene.overlays.push_back(overlay);
   const int last = int(changed.scene.overlays.size());
   this->PushOverlays(std::move(changed), name, last);
@@ -141,7 +142,7 @@ void SceneModel::RemoveOverlay(int overlay, const QString& name)
 {
   Study study = *this->state.study;
   study.overlays.erase(study.overlays.begin() + overlay);
-  State changed = { std::make_shared<const Study>(std::move(study)), this->state.scene };
+  State changed = this->WithStudy(std::make_shared<const Study>(std::move(study)));
   changed.scene.overlays.erase(changed.scene.overlays.begin() + overlay);
   this->PushOverlays(std::move(changed), name, std::min(this->edited, overlay));
 }
@@ -150,9 +151,14 @@ void SceneModel::MoveOverlay(int from, int to, const QString& name)
 {
   Study study = *this->state.study;
   std::swap(study.overlays[from], study.overlays[to]);
-  State changed = { std::make_shared<const Study>(std::move(study)), this->state.scene };
+  State changed = this->WithStudy(std::make_shared<const Study>(std::move(study)));
   std::swap(changed.scene.overlays[from], changed.scene.overlays[to]);
   this->PushOverlays(std::move(changed), name, to + 1);
+}
+
+SceneModel::State SceneModel::WithStudy(std::shared_ptr<const Study> study) const
+{
+  return { std::move(study), this->state.scene, this->state.labelVersion };
 }
 
 void SceneModel::PushOverlays(State changed, const QString& name, int newEdited)

@@ -11,7 +11,9 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace varimarch
@@ -89,8 +91,9 @@ public:
   /// Takes the file that the labels have been written to.
   void TakeSavedLabels(const std::string& path, const QString& name);
 
-  /// True if voxels or segments have been drawn since the labels were read or written.
-  bool HasUnsavedLabels() const { return this->hasUnsavedLabels; }
+  /// True unless the file that the scene names holds the segments with these voxels, or there are
+  /// none.
+  bool HasUnsavedLabels() const;
 
   /// Draws a further volume over the others. This is an undo step, and the volume becomes the
   /// edited one. Requires fewer than MostVolumes.
@@ -138,9 +141,14 @@ private:
   {
     std::shared_ptr<const Study> study;
     Scene scene;
+    int labelVersion = 0; ///< a number for the voxels of the labels, see versionsInFiles
   };
 
+  /// The current scene with another study.
+  State WithStudy(std::shared_ptr<const Study> study) const;
+
   static void TakeSegments(State& taken);
+  void TakeVersionOfFile(State& taken);
   static void TakeOverlays(State& taken);
   void PushLabels(State changed, const QString& name);
   void RenewLabels(LabelMap map);
@@ -150,7 +158,9 @@ private:
   State state;
   std::shared_ptr<const Study> exchanged;
   int edited = 0;
-  bool hasUnsavedLabels = false;
+  /// Versions of labels by the files that they were read from, or written to last.
+  std::map<std::string, int> versionsInFiles;
+  int lastLabelVersion = 0;
   QUndoStack history;
 };
 

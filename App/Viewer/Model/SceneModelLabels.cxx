@@ -38,6 +38,8 @@ public:
     : QUndoCommand(name)
     , model(model)
     , change(std::move(change))
+    , before(model->state.labelVersion)
+    , after(++model->lastLabelVersion)
   {
   }
 
@@ -48,16 +50,18 @@ private:
   void Apply(bool isForward)
   {
     varimarch::Apply(this->change, isForward, this->model->state.study->labels->image);
+    this->model->state.labelVersion = isForward ? this->after : this->before;
     this->model->RenewLabels(*this->model->state.study->labels);
   }
 
   SceneModel* model;
   LabelChange change;
+  int before; ///< versions of the labels
+  int after;
 };
 
 void SceneModel::ChangeLabels(const LabelChange& change, const QString& name)
 {
-  this->hasUnsavedLabels = true;
   this->history.push(new LabelStep(this, change, name));
 }
 
@@ -81,13 +85,13 @@ void SceneModel::AddSegment(const QString& segmentName, const QString& name)
   const Segment added = { value, segmentName.toStdString(), ColorOfLabel(value) };
   map.segments.push_back(added);
   map.sizes.emplace_back();
-  State changed = { WithLabels(*this->state.study, std::move(map)), this->state.scene };
+  State changed = this->WithStudy(WithLabels(*this->state.study, std::move(map)));
+  changed.labelVersion = ++this->lastLabelVersion;
   if (!changed.scene.labels)
   {
     changed.scene.labels = SceneLabels();
   }
   changed.scene.labels->segments.push_back(added);
-  this->hasUnsavedLabels = true;
   this->PushLabels(std::move(changed), name);
 }
 
@@ -99,7 +103,29 @@ void SceneModel::TakeSavedLabels(const std::string& path, const QString& name)
       scene.labels->path = path;
       scene.labels->series.clear();
     });
-  this->hasUnsavedLabels = false;
+  this->versionsInFiles[path] = this->state.labelVersion;
+}
+
+bool SceneModel::HasUnsavedLabels() const
+{
+  const auto& labels = this->state.scene.labels;
+  if (!labels)
+  {
+    return false;
+  }
+  const auto inFile = this->versionsInFiles.find(labels->path);
+  return inFile == this->versionsInFiles.end() || inFile->second != this->state.labelVersion;
+}
+
+// The labels have just been read from the file that the scene names.
+void SceneModel::TakeVersionOfFile(State& taken)
+{
+  if (taken.scene.labels)
+  {
+    taken.labelVersion =
+      this->versionsInFiles.try_emplace(taken.scene.labels->path, ++this->lastLabelVersion)
+        .first->second;
+  }
 }
 
 }
