@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
 
@@ -126,6 +127,45 @@ TEST_F(DrawnSegments, ABrushPaintsAndErasesInOneStepEach)
   EXPECT_EQ(this->Voxels(0), 0);
   this->model.History()->redo();
   EXPECT_EQ(this->Voxels(0), painted);
+}
+
+TEST_F(DrawnSegments, AStrokeIsOneStepWhateverOtherButtonsDo)
+{
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  const int steps = this->model.History()->count();
+  QTest::mousePress(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  QTest::mousePress(&this->slice, Qt::RightButton, Qt::NoModifier, { 140, 150 });
+  QTest::mouseRelease(&this->slice, Qt::RightButton, Qt::NoModifier, { 140, 150 });
+  QTest::mouseRelease(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  EXPECT_EQ(this->model.History()->count(), steps + 1);
+  EXPECT_GT(this->Voxels(0), 0);
+}
+
+TEST_F(DrawnSegments, AStrokeEndsWithItsLabels)
+{
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  vtkImageData* const numbers = this->model.CurrentStudy()->labels->image;
+  QTest::mousePress(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  EXPECT_EQ(numbers->GetScalarRange()[1], 1.0);
+  this->model.CloseLabels("close");
+  QTest::mouseRelease(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  EXPECT_FALSE(this->model.CurrentScene().labels);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentStudy()->labels->image, numbers);
+  EXPECT_EQ(numbers->GetScalarRange()[1], 0.0);
+}
+
+TEST_F(DrawnSegments, ADoubleClickPaintsToo)
+{
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  QSignalSpy enlarged(&this->slice, &SliceView::DoubleClicked);
+  QTest::mouseDClick(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  QTest::mouseRelease(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  EXPECT_TRUE(enlarged.isEmpty());
+  EXPECT_GT(this->Voxels(0), 0);
 }
 
 TEST_F(DrawnSegments, ARegionHasTheValuesOfItsRange)

@@ -1,7 +1,5 @@
 #include "Viewer/Model/SegmentEditor.h"
 
-#include <vtkImageData.h>
-
 #include <utility>
 
 namespace varimarch
@@ -11,6 +9,14 @@ SegmentEditor::SegmentEditor(SceneModel* model, QObject* parent)
   : QObject(parent)
   , model(model)
 {
+  connect(model, &SceneModel::Changed, this,
+    [this](ScenePart part)
+    {
+      if (part == ScenePart::Volume || part == ScenePart::Labels)
+      {
+        this->TakeBackStroke();
+      }
+    });
 }
 
 void SegmentEditor::SetTool(SegmentTool newTool)
@@ -32,6 +38,7 @@ vtkImageData* SegmentEditor::Numbers() const
 
 void SegmentEditor::Change(const LabelChange& change, const QString& name)
 {
+  this->Release();
   if (change.IsEmpty())
   {
     emit this->Unchanged();
@@ -52,6 +59,7 @@ void SegmentEditor::AddRegion(const std::array<double, 3>& pointMm)
 void SegmentEditor::Press(
   const std::array<double, 3>& pointMm, const std::array<double, 3>& sliceNormal)
 {
+  this->Release();
   if (this->tool == SegmentTool::Region)
   {
     this->AddRegion(pointMm);
@@ -59,8 +67,10 @@ void SegmentEditor::Press(
   }
   this->isStroking = true;
   this->stroke = {};
+  this->stroked = this->Numbers();
   this->normal = sliceNormal;
   this->lastMm = pointMm;
+  emit this->StrokingChanged(true);
   this->Brush(pointMm);
 }
 
@@ -77,20 +87,35 @@ void SegmentEditor::Brush(const std::array<double, 3>& toMm)
 {
   const BrushStroke line = { this->lastMm, toMm, this->normal, this->radiusMm };
   const LabelChange change = this->tool == SegmentTool::Erase
-    ? Erased(this->Numbers(), this->Number(), line)
-    : Painted(this->Numbers(), this->Number(), line);
-  Apply(change, true, this->Numbers());
-  this->stroke = Joined(this->stroke, change, this->Numbers());
+    ? Erased(this->stroked, this->Number(), line)
+    : Painted(this->stroked, this->Number(), line);
+  Apply(change, true, this->stroked);
+  this->stroke = Joined(this->stroke, change, this->stroked);
   this->lastMm = toMm;
   emit this->Stroked();
 }
 
 void SegmentEditor::Release()
 {
-  if (std::exchange(this->isStroking, false) && !this->stroke.IsEmpty())
+  if (!std::exchange(this->isStroking, false))
+  {
+    return;
+  }
+  if (!this->stroke.IsEmpty())
   {
     this->model->ChangeLabels(
       this->stroke, this->tool == SegmentTool::Erase ? tr("erase") : tr("paint"));
+  }
+  emit this->StrokingChanged(false);
+}
+
+// The voxels of a stroke that no undo step holds would stay for ever.
+void SegmentEditor::TakeBackStroke()
+{
+  if (std::exchange(this->isStroking, false))
+  {
+    Apply(this->stroke, false, this->stroked);
+    emit this->StrokingChanged(false);
   }
 }
 

@@ -4,10 +4,12 @@
 #include "Scene/SegmentEditing.h"
 #include "Viewer/Model/SceneModel.h"
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include <QObject>
 
 #include <array>
-#include <functional>
 
 namespace varimarch
 {
@@ -23,7 +25,7 @@ enum class SegmentTool
 
 /// Edits the voxels of one segment of the model. The panel chooses the segment and the tool, and
 /// views pass on the places that the user clicks. A stroke, from press to release, is one undo
-/// step.
+/// step. It is taken back if its labels are replaced meanwhile.
 class SegmentEditor : public QObject
 {
   Q_OBJECT
@@ -63,6 +65,8 @@ signals:
   void ToolChanged();
   /// Voxels have changed within a stroke.
   void Stroked();
+  /// A stroke begins or ends. Nothing may be undone during one.
+  void StrokingChanged(bool isStroking);
   /// An action found nothing to change.
   void Unchanged();
 
@@ -72,6 +76,7 @@ private:
   int Number() const { return this->segment + 1; }
   void Change(const LabelChange& change, const QString& name);
   void Brush(const std::array<double, 3>& toMm);
+  void TakeBackStroke();
 
   SceneModel* model;
   SegmentTool tool = SegmentTool::None;
@@ -80,7 +85,8 @@ private:
   double radiusMm = 5.0;
   std::array<double, 3> lastMm = {};
   std::array<double, 3> normal = {};
-  LabelChange stroke; ///< so far
+  LabelChange stroke;                    ///< so far
+  vtkSmartPointer<vtkImageData> stroked; ///< the image that the stroke changes
   bool isStroking = false;
 };
 

@@ -75,16 +75,20 @@ void SliceView::SetSegmentEditor(SegmentEditor* newEditor)
   }
 }
 
-// True if the press edits segments.
+// True if the press edits segments. Other buttons do nothing during a stroke.
 bool SliceView::PressSegment(const QMouseEvent* event)
 {
-  this->isDrawing =
-    this->segmentEditor && this->segmentEditor->TakesSlices() && event->button() == Qt::LeftButton;
-  if (this->isDrawing)
+  if (event->button() == Qt::LeftButton && this->Draws())
   {
+    this->isDrawing = true;
     this->segmentEditor->Press(*this->PointAt(event->localPos()), this->Axes().through);
   }
   return this->isDrawing;
+}
+
+bool SliceView::Draws() const
+{
+  return this->segmentEditor && this->segmentEditor->TakesSlices();
 }
 
 PictureFrame SliceView::Frame() const
@@ -256,7 +260,7 @@ void SliceView::DragSlice(const QPoint& moved)
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event)
 {
-  if (this->measuring || event->button() != Qt::LeftButton)
+  if (this->measuring || this->Draws() || event->button() != Qt::LeftButton)
   {
     this->mousePressEvent(event);
     return;

@@ -73,6 +73,7 @@ private:
   void DrawCrosshair(QPainter& painter) const;
   void DrawBrush(QPainter& painter) const;
   bool PressSegment(const QMouseEvent* event);
+  bool Draws() const; ///< the left button edits segments
   static QColor ColorOfCrosshair();
   void DragWindowLevel(const QPoint& moved);
   void DragSlice(const QPoint& moved);
