@@ -112,39 +112,41 @@ void MainWindow::ShowAdded(const VolumeSource& source, const std::shared_ptr<con
   }
 }
 
-// The dialog is modal to the window, so that nobody changes the volumes meanwhile.
+// The dialog is modal to the window, so only a scan that was being loaded before can change the
+// volumes meanwhile. A cancelled QProgressDialog only hides, and the next progress shows it again;
+// so it is deleted, which ends the search.
 void MainWindow::Register(int overlay)
 {
   constexpr int PollMilliseconds = 100;
   const auto work = std::make_shared<RegistrationWork>();
   auto* const waiting = new QProgressDialog(tr("Registering"), tr("Cancel"), 0, 100, this);
   waiting->setObjectName("registering");
-  waiting->setAttribute(Qt::WA_DeleteOnClose);
   waiting->setWindowModality(Qt::WindowModal);
   waiting->setAutoClose(false);
   waiting->setAutoReset(false);
   waiting->setMinimumDuration(0);
   waiting->setValue(0);
+  connect(waiting, &QProgressDialog::canceled, waiting, &QObject::deleteLater);
   connect(waiting, &QObject::destroyed, [work] { work->stop = true; });
   auto* const poll = new QTimer(waiting);
   connect(poll, &QTimer::timeout, waiting, [=] { waiting->setValue(work->percent); });
   poll->start(PollMilliseconds);
+  const auto study = this->model.CurrentStudy();
   auto* const watcher = new QFutureWatcher<std::optional<Placement>>(waiting);
   connect(watcher, &QFutureWatcherBase::finished, this,
     [=]
     {
       const std::optional<Placement> found = watcher->result();
       waiting->close();
-      if (found)
-      {
-        this->TakeRegistered(overlay, *found);
-      }
-      else
+      if (!found)
       {
         QMessageBox::warning(this, tr("Cannot register"), work->failure);
       }
+      else if (this->model.CurrentStudy() == study)
+      {
+        this->TakeRegistered(overlay, *found);
+      }
     });
-  const auto study = this->model.CurrentStudy();
   const Placement start = this->model.CurrentScene().overlays[overlay].placement;
   watcher->setFuture(QtConcurrent::run(
     [=] { return PlacementFound(study, study->overlays[overlay], start, *work); }));

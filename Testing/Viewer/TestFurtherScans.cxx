@@ -10,6 +10,10 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QListWidget>
+#include <QPointer>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QThreadPool>
 
 using namespace varimarch;
 
@@ -93,6 +97,21 @@ TEST_F(FurtherScans, AreInSessions)
   ASSERT_TRUE(this->AwaitOverlays(1));
   EXPECT_EQ(this->Model()->CurrentScene().overlays[0].placement.moveMm[0], 5.0);
   ASSERT_EQ(this->Model()->CurrentStudy()->overlays.size(), 1);
+}
+
+TEST_F(FurtherScans, StayWhereTheyAreIfTheirRegistrationIsCancelled)
+{
+  this->OpenTorso();
+  this->AddPetOfFile();
+  auto* const panel = this->window.findChild<VolumesPanel*>();
+  panel->findChild<QPushButton*>("register")->click();
+  const QPointer<QProgressDialog> waiting = this->window.findChild<QProgressDialog*>("registering");
+  ASSERT_TRUE(waiting);
+  waiting->findChild<QPushButton*>()->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return waiting.isNull(); }, MostMilliseconds));
+  QThreadPool::globalInstance()->waitForDone();
+  QCoreApplication::processEvents();
+  EXPECT_EQ(this->Model()->CurrentScene().overlays[0].placement, Placement());
 }
 
 TEST_F(FurtherScans, OfASessionMayBeGone)
