@@ -1,6 +1,6 @@
 // The model: every edit is an undo step, a gesture is a single step, and a new volume clears them.
 
-#include "SmallStudy.h"
+#include "LabelledStudy.h"
 
 #include <QSignalSpy>
 
@@ -104,6 +104,14 @@ TEST_F(OpenedModel, AnotherFormOfTheVolumeIsAStepThatKeepsTheRest)
   EXPECT_EQ(this->model.CurrentStudy(), form);
   this->model.Open(ProceduralSource(), SmallStudy());
   EXPECT_FALSE(this->model.ExchangedStudy());
+}
+
+TEST_F(OpenedModel, AnotherFormDoesNotBringClosedLabelsBack)
+{
+  const FileSource rectified{ "/scans/head", std::nullopt, "", true };
+  this->model.Exchange(rectified, LabelledStudy(), "rectify");
+  EXPECT_FALSE(this->model.CurrentScene().labels);
+  EXPECT_FALSE(this->model.CurrentStudy()->labels);
 }
 
 TEST_F(OpenedModel, AnotherVolumeForgetsTheStepsOfTheLast)

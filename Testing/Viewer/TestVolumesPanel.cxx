@@ -1,5 +1,6 @@
 // The list of volumes: which are shown, how and where, and whose look is edited.
 
+#include "LabelledStudy.h"
 #include "OverlaidStudy.h"
 #include "Scene/Presets.h"
 #include "Viewer/Model/MeasureTexts.h"
@@ -103,6 +104,44 @@ TEST_F(VolumeList, OrdersAndRemoves)
   EXPECT_EQ(this->model.CurrentStudy()->overlays.size(), 1);
   this->model.History()->undo();
   EXPECT_EQ(this->Overlays().size(), 2);
+}
+
+// The panels that edit looks show a volume's look until they hear of another volume.
+TEST_F(VolumeList, SaysThatUndoneStepsExchangeTheEditedVolume)
+{
+  AddPet(this->model, "/scans/second");
+  this->Press("up");
+  this->List()->setCurrentRow(2);
+  ASSERT_EQ(this->Overlays()[1].name, "PT pet");
+  int exchanges = 0;
+  QObject::connect(&this->model, &SceneModel::Changed, &this->panel,
+    [&](ScenePart part) { exchanges += part == ScenePart::EditedVolume; });
+  this->model.History()->undo();
+  EXPECT_EQ(this->Overlays()[1].name, "PT second");
+  EXPECT_EQ(this->model.EditedVolume(), 2);
+  EXPECT_EQ(exchanges, 1);
+  this->model.Edit(
+    ScenePart::Overlays, "hide", [](Scene& scene) { scene.overlays[0].visible = false; });
+  EXPECT_EQ(exchanges, 1);
+}
+
+TEST_F(VolumeList, FollowsTheFirstVolumeIntoAnotherForm)
+{
+  this->model.Exchange(ProceduralSource{ ProceduralKind::Torso }, SmallStudy(), "rectify");
+  EXPECT_EQ(this->model.CurrentStudy()->overlays.size(), 1);
+  this->model.RemoveOverlay(0, "remove");
+  this->model.Exchange(
+    ProceduralSource{ ProceduralKind::Torso }, this->model.ExchangedStudy(), "as scanned");
+  EXPECT_TRUE(this->model.CurrentStudy()->overlays.empty());
+}
+
+TEST_F(VolumeList, StaysWhenLabelsThatWereReadMeanwhileAreShown)
+{
+  const auto labelled = LabelledStudy(); // read before the PET was added
+  this->model.Open(ProceduralSource{ ProceduralKind::Torso }, WithoutLabels(*labelled));
+  AddPet(this->model);
+  this->model.ShowLabels({ "labels.nrrd" }, labelled, "open a segmentation");
+  EXPECT_EQ(this->model.CurrentStudy()->overlays.size(), this->Overlays().size());
 }
 
 TEST_F(VolumeList, HasRoomForFour)

@@ -91,10 +91,13 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
 }
 
 void SceneModel::Exchange(
-  const VolumeSource& source, std::shared_ptr<const Study> form, const QString& name)
+  const VolumeSource& source, const std::shared_ptr<const Study>& form, const QString& name)
 {
   this->exchanged = this->state.study;
-  State changed = this->WithStudy(WithOverlaysOf(*this->state.study, form));
+  // Labels may have been closed since the form was read.
+  const bool isBare = form->labels && !this->state.scene.labels;
+  State changed =
+    this->WithStudy(WithOverlaysOf(*this->state.study, isBare ? WithoutLabels(*form) : form));
   changed.scene.volume = source;
   TakeSegments(changed);
   this->TakeVersionOfFile(changed);
@@ -105,9 +108,10 @@ void SceneModel::Exchange(
 }
 
 void SceneModel::ShowLabels(
-  const SceneLabels& labels, std::shared_ptr<const Study> labelled, const QString& name)
+  const SceneLabels& labels, const std::shared_ptr<const Study>& labelled, const QString& name)
 {
-  State changed = this->WithStudy(std::move(labelled));
+  // Overlays may have changed while the labels were read.
+  State changed = this->WithStudy(WithOverlaysOf(*this->state.study, labelled));
   changed.scene.labels = labels;
   TakeSegments(changed);
   this->TakeVersionOfFile(changed);
@@ -266,12 +270,14 @@ void SceneModel::TakeOverlays(State& taken)
   taken.study = std::make_shared<const Study>(std::move(study));
 }
 
+// A step that changes the list of volumes can put another one at the place of the edited one.
 void SceneModel::Replace(const std::vector<ScenePart>& parts, const State& newState)
 {
+  const auto before = this->state.study ? this->EditedStudy() : nullptr;
   this->state = newState;
-  const int last = int(newState.scene.overlays.size());
-  const bool editsOther = this->edited > last;
-  this->edited = std::min(this->edited, last);
+  this->edited = std::min(this->edited, int(newState.scene.overlays.size()));
+  const bool editsOther = before && parts.front() != ScenePart::Volume &&
+    this->EditedStudy()->volume.image != before->volume.image;
   for (const ScenePart part : parts)
   {
     emit this->Changed(part);

@@ -68,7 +68,8 @@ public:
 
   /// Replaces the volume by another form of it, such as the rectified one, and keeps everything
   /// else. This is an undo step, so the previous form stays in memory.
-  void Exchange(const VolumeSource& source, std::shared_ptr<const Study> form, const QString& name);
+  void Exchange(
+    const VolumeSource& source, const std::shared_ptr<const Study>& form, const QString& name);
 
   /// The form that the last exchange replaced; null without one.
   std::shared_ptr<const Study> ExchangedStudy() const { return this->exchanged; }
@@ -76,7 +77,7 @@ public:
   /// Shows labels over the scan. This is an undo step.
   /// @param labelled  the scan with these labels
   void ShowLabels(
-    const SceneLabels& labels, std::shared_ptr<const Study> labelled, const QString& name);
+    const SceneLabels& labels, const std::shared_ptr<const Study>& labelled, const QString& name);
 
   /// Shows the scan without labels. This is an undo step.
   void CloseLabels(const QString& name);

@@ -25,7 +25,7 @@ std::shared_ptr<const Study> WithoutLabels(const Study& scan)
 std::shared_ptr<const Study> WithOverlaysOf(
   const Study& scan, const std::shared_ptr<const Study>& form)
 {
-  if (scan.overlays.empty())
+  if (form->overlays == scan.overlays)
   {
     return form;
   }
