@@ -168,6 +168,25 @@ TEST_F(VolumeList, MovesAndTurnsByNumbers)
   EXPECT_EQ(this->Number("move1")->value(), -12.5);
 }
 
+TEST_F(VolumeList, ANumberLeavesTheDigitsOfTheOthers)
+{
+  const Placement registered = { { 1.234, 2.345, 3.456 }, { 4.567, 5.678, 6.789 } };
+  this->model.Edit(ScenePart::Overlays, "register",
+    [&](Scene& scene) { scene.overlays[0].placement = registered; });
+  this->Number("move1")->setValue(7.0);
+  Placement expected = registered;
+  expected.moveMm[1] = 7.0;
+  EXPECT_EQ(this->Overlays()[0].placement, expected);
+}
+
+TEST_F(VolumeList, IsNotMadeAnewForAChoice)
+{
+  const QSignalSpy resets(this->List()->model(), &QAbstractItemModel::modelReset);
+  this->List()->setCurrentRow(0);
+  EXPECT_TRUE(resets.isEmpty());
+  EXPECT_EQ(this->model.EditedVolume(), 0);
+}
+
 TEST_F(VolumeList, SetsOpacityAndColoursInSlices)
 {
   auto* const opacity = this->panel.findChild<NumberSlider*>()->findChild<QDoubleSpinBox*>();

@@ -74,7 +74,6 @@ VolumesPanel::VolumesPanel(SceneModel* model, QWidget* parent)
       if (row >= 0)
       {
         this->model->SetEditedVolume(row);
-        this->ShowSelected();
       }
     });
   connect(model, &SceneModel::Changed, this, &VolumesPanel::Show);
@@ -150,11 +149,8 @@ QWidget* VolumesPanel::MakePlace()
     this->turns[axis]->setObjectName(QStringLiteral("turn%1").arg(axis));
     grid->addWidget(this->moves[axis], 0, axis + 1);
     grid->addWidget(this->turns[axis], 1, axis + 1);
-    for (const QDoubleSpinBox* const number : { this->moves[axis], this->turns[axis] })
-    {
-      connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-        &VolumesPanel::TakePlace);
-    }
+    this->ConnectPlace(this->moves[axis], &Placement::moveMm, axis);
+    this->ConnectPlace(this->turns[axis], &Placement::turnDegrees, axis);
   }
   auto* const reset = new QPushButton(tr("Patient coordinates"));
   reset->setObjectName("resetPlace");
@@ -181,12 +177,22 @@ int VolumesPanel::Selected() const
 
 void VolumesPanel::Show(ScenePart part)
 {
-  if (part == ScenePart::Volume || part == ScenePart::Overlays || part == ScenePart::EditedVolume)
+  if (part == ScenePart::Volume || part == ScenePart::Overlays)
   {
     this->setEnabled(true);
     this->ShowRows();
-    this->ShowSelected();
   }
+  // The rows stay while one of them is being chosen, whose box may be what the user clicks.
+  else if (part == ScenePart::EditedVolume)
+  {
+    const QSignalBlocker quiet(this->list);
+    this->list->setCurrentRow(this->model->EditedVolume());
+  }
+  else
+  {
+    return;
+  }
+  this->ShowSelected();
 }
 
 void VolumesPanel::ShowRows()
@@ -257,15 +263,16 @@ void VolumesPanel::TakeItem(const QListWidgetItem* item)
     });
 }
 
-void VolumesPanel::TakePlace()
+// The other numbers of a place keep the digits that the panel does not show.
+void VolumesPanel::ConnectPlace(
+  const QDoubleSpinBox* box, std::array<double, 3> Placement::*part, int axis)
 {
-  Placement placement;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    placement.moveMm[axis] = this->moves[axis]->value();
-    placement.turnDegrees[axis] = this->turns[axis]->value();
-  }
-  this->Edit(tr("move a volume"), [&](OverlaidVolume& overlay) { overlay.placement = placement; });
+  connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+    [=](double number)
+    {
+      this->Edit(tr("move a volume"),
+        [=](OverlaidVolume& overlay) { (overlay.placement.*part)[axis] = number; });
+    });
 }
 
 void VolumesPanel::Move(int step)

@@ -45,7 +45,7 @@ private:
   void ShowSelected();
   int Selected() const; ///< index of the selected overlay; -1 for the first volume
   void TakeItem(const QListWidgetItem* item);
-  void TakePlace();
+  void ConnectPlace(const QDoubleSpinBox* box, std::array<double, 3> Placement::*part, int axis);
   void Move(int step);
   void Remove();
   void Edit(const QString& step, const std::function<void(OverlaidVolume&)>& change,
