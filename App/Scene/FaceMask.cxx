@@ -183,7 +183,7 @@ vtkSmartPointer<vtkImageData> FaceMask(vtkImageData* image, double depthMm)
   mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   mask->GetPointData()->GetScalars()->Fill(1.0);
   auto* const kept = static_cast<unsigned char*>(mask->GetScalarPointer());
-  const int depth = int(std::ceil(depthMm / lines.StepMm()));
+  const int depth = int(std::min(std::ceil(depthMm / lines.StepMm()), double(lines.Length())));
   for (int line = 0; line < int(smooth.size()); ++line)
   {
     const int end = smooth[line] == Nothing ? 0 : std::min(smooth[line] + depth, *plane);

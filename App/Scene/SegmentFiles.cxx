@@ -4,6 +4,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
+#include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <filesystem>
@@ -15,15 +16,11 @@ namespace varimarch
 namespace
 {
 
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 void CheckPath(const std::string& path, const VolumeSource& scan)
 {
-  const bool isKnown =
-    EndsWith(path, ".seg.nrrd") || EndsWith(path, ".nii") || EndsWith(path, ".nii.gz");
+  const auto endings = { ".seg.nrrd", ".nii", ".nii.gz" };
+  const bool isKnown = std::any_of(endings.begin(), endings.end(),
+    [&](const char* ending) { return vtksys::SystemTools::StringEndsWith(path, ending); });
   if (!isKnown)
   {
     throw std::runtime_error(

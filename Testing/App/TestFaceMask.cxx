@@ -100,6 +100,27 @@ TEST(FaceMask, KnowsTheFrontWhateverTheOrderOfTheRows)
   ExpectNoFace({ -1000.0, 40.0, -1 });
 }
 
+TEST(FaceMask, LeavesTheBackWhateverTheDepth)
+{
+  DrawnHead head(-1000.0, 40.0);
+  const auto mask = FaceMask(head.image, 1e300);
+  ASSERT_TRUE(mask);
+  head.ForEach(
+    [&](int x, int y, int z, const std::array<double, 3>& point)
+    {
+      const bool isKept = *static_cast<unsigned char*>(mask->GetScalarPointer(x, y, z)) != 0;
+      const bool isInFront = point[1] < -18.0; // a little more than the middle of -110 and 90 mm
+      if (isInFront && std::abs(point[0]) < 20.0 && std::abs(point[2]) < 20.0)
+      {
+        EXPECT_FALSE(isKept) << point[1];
+      }
+      else if (point[1] > -2.0)
+      {
+        EXPECT_TRUE(isKept) << point[1];
+      }
+    });
+}
+
 // Places beside each other are cut alike: no trace of the nose is left.
 TEST(FaceMask, TheCutIsSmooth)
 {
