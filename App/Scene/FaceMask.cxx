@@ -1,12 +1,11 @@
 #include "Scene/FaceMask.h"
 
+#include "Scene/ConnectedVoxels.h"
 #include "Scene/ImageStatistics.h"
 
 #include <vtkDataArray.h>
-#include <vtkImageConnectivityFilter.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
@@ -90,16 +89,8 @@ double SkinValue(vtkImageData* image)
 // Ones in the largest connected part that is denser than air.
 vtkSmartPointer<vtkImageData> Head(vtkImageData* image)
 {
-  vtkNew<vtkImageData> plain; // VTK's filter knows no directions
-  plain->SetDimensions(image->GetDimensions());
-  plain->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
-  vtkNew<vtkImageConnectivityFilter> largest;
-  largest->SetInputData(plain);
-  largest->SetScalarRange(SkinValue(image), VTK_DOUBLE_MAX);
+  const auto largest = NewConnectivity(image, SkinValue(image), VTK_DOUBLE_MAX);
   largest->SetExtractionModeToLargestRegion();
-  largest->SetLabelModeToConstantValue();
-  largest->SetLabelConstantValue(1);
-  largest->SetLabelScalarTypeToUnsignedChar();
   largest->Update();
   return largest->GetOutput();
 }

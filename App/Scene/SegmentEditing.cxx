@@ -1,9 +1,9 @@
 #include "Scene/SegmentEditing.h"
 
+#include "Scene/ConnectedVoxels.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkDataArray.h>
-#include <vtkImageConnectivityFilter.h>
 #include <vtkImageData.h>
 #include <vtkImageGaussianSmooth.h>
 #include <vtkMatrix3x3.h>
@@ -124,27 +124,6 @@ std::array<int, 6> WholeBox(vtkImageData* numbers)
 {
   const int* const size = numbers->GetDimensions();
   return { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 };
-}
-
-// The same voxels at their indices, counted from 0: VTK's filters know no directions.
-vtkSmartPointer<vtkImageData> AtIndices(vtkImageData* image)
-{
-  auto plain = vtkSmartPointer<vtkImageData>::New();
-  plain->SetDimensions(image->GetDimensions());
-  plain->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
-  return plain;
-}
-
-vtkSmartPointer<vtkImageConnectivityFilter> NewConnectivity(
-  vtkImageData* image, double smallest, double largest)
-{
-  auto filter = vtkSmartPointer<vtkImageConnectivityFilter>::New();
-  filter->SetInputData(AtIndices(image));
-  filter->SetScalarRange(smallest, largest);
-  filter->SetLabelModeToConstantValue();
-  filter->SetLabelConstantValue(1);
-  filter->SetLabelScalarTypeToUnsignedChar();
-  return filter;
 }
 
 // Keeps the voxels of a segment that a filter's output has.
