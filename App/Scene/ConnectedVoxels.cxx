@@ -4,6 +4,8 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <cmath>
+
 namespace varimarch
 {
 
@@ -15,10 +17,14 @@ vtkSmartPointer<vtkImageConnectivityFilter> NewConnectivity(
   plain->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
   auto filter = vtkSmartPointer<vtkImageConnectivityFilter>::New();
   filter->SetInputData(plain);
-  filter->SetScalarRange(smallest, largest);
+  // VTK's filter rounds the range of whole values towards 0.
+  const int type = image->GetScalarType();
+  const bool areWhole = type != VTK_FLOAT && type != VTK_DOUBLE;
+  filter->SetScalarRange(
+    areWhole ? std::ceil(smallest) : smallest, areWhole ? std::floor(largest) : largest);
   filter->SetLabelModeToConstantValue();
   filter->SetLabelConstantValue(1);
-  filter->SetLabelScalarTypeToUnsignedChar();
+  filter->SetLabelScalarTypeToUnsignedShort();
   return filter;
 }
 

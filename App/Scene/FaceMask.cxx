@@ -96,7 +96,7 @@ vtkSmartPointer<vtkImageData> Head(vtkImageData* image)
 }
 
 // The first voxel of the head on each line; Nothing without one.
-std::vector<int> Surface(const FrontLines& lines, const unsigned char* head)
+std::vector<int> Surface(const FrontLines& lines, const RegionNumber* head)
 {
   std::vector<int> first(std::size_t(lines.Width()) * lines.Height(), Nothing);
   for (int line = 0; line < int(first.size()); ++line)
@@ -111,7 +111,7 @@ std::vector<int> Surface(const FrontLines& lines, const unsigned char* head)
 
 // The end of the front part of the head; empty without a head.
 std::optional<int> FacePlane(
-  const std::vector<int>& surface, const FrontLines& lines, const unsigned char* head)
+  const std::vector<int>& surface, const FrontLines& lines, const RegionNumber* head)
 {
   const int front = *std::min_element(surface.begin(), surface.end());
   if (front == Nothing)
@@ -160,7 +160,7 @@ vtkSmartPointer<vtkImageData> FaceMask(vtkImageData* image, double depthMm)
 {
   const FrontLines lines(image);
   const vtkSmartPointer<vtkImageData> headImage = Head(image);
-  const auto* const head = static_cast<const unsigned char*>(headImage->GetScalarPointer());
+  const auto* const head = static_cast<const RegionNumber*>(headImage->GetScalarPointer());
   const std::vector<int> surface = Surface(lines, head);
   const std::optional<int> plane = FacePlane(surface, lines, head);
   if (!plane)

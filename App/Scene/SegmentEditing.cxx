@@ -130,7 +130,8 @@ std::array<int, 6> WholeBox(vtkImageData* numbers)
 LabelChange Kept(vtkImageData* numbers, int number, vtkImageConnectivityFilter* filter)
 {
   filter->Update();
-  const std::uint8_t* const kept = NumbersIn(filter->GetOutput());
+  const auto* const kept =
+    static_cast<const RegionNumber*>(filter->GetOutput()->GetScalarPointer());
   return ChangeIn(WholeBox(numbers), numbers,
     [&](std::size_t voxel, const glm::ivec3&, std::uint8_t old)
     { return old == number && kept[voxel] == 0 ? std::uint8_t(0) : old; });
@@ -278,7 +279,8 @@ LabelChange ConnectedRegion(vtkImageData* numbers, int number, vtkImageData* sca
   filter->SetSeedData(seed);
   filter->SetExtractionModeToSeededRegions();
   filter->Update();
-  const std::uint8_t* const found = NumbersIn(filter->GetOutput());
+  const auto* const found =
+    static_cast<const RegionNumber*>(filter->GetOutput()->GetScalarPointer());
   return ChangeIn(WholeBox(numbers), numbers,
     [&](std::size_t voxel, const glm::ivec3&, std::uint8_t old)
     { return old == 0 && found[voxel] != 0 ? std::uint8_t(number) : old; });

@@ -163,6 +163,28 @@ TEST_F(SegmentEditing, IslandsAreKeptBySize)
   EXPECT_EQ(this->Count(2), 500);
 }
 
+// More parts than a byte can count.
+TEST_F(SegmentEditing, ManyIslandsAreKept)
+{
+  for (int i = 0; i < 1000; ++i)
+  {
+    *this->At(2 * (i % 10), 2 * (i / 10 % 10), 2 * (i / 100)) = 1;
+  }
+  EXPECT_TRUE(WithoutSmallIslands(this->numbers, 1, 0.001).IsEmpty());
+}
+
+TEST_F(SegmentEditing, ARangeOfWholeValuesEndsBetweenThem)
+{
+  this->Fill<short>(this->scan, { 2, 5, 2, 5, 2, 5 }, 300);
+  const auto isFound = [&](const std::array<double, 2>& range) {
+    return !ConnectedRegion(this->numbers, 1, this->scan, this->PointAt(4, 4, 4), range).IsEmpty();
+  };
+  EXPECT_TRUE(isFound({ 299.5, 300.5 }));
+  EXPECT_FALSE(isFound({ 300.5, 400.0 }));
+  this->Fill<short>(this->scan, { 2, 5, 2, 5, 2, 5 }, -300);
+  EXPECT_FALSE(isFound({ -400.0, -300.5 }));
+}
+
 TEST_F(SegmentEditing, SmoothingRemovesSpikesFillsHolesAndLeavesOthers)
 {
   this->Fill<std::uint8_t>(this->numbers, { 4, 14, 4, 14, 4, 14 }, 1);
