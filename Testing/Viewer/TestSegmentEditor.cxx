@@ -106,6 +106,17 @@ TEST_F(DrawnSegments, AreUnsavedUnlessTheirFileHasTheSameVoxels)
   EXPECT_TRUE(this->model.HasUnsavedLabels());
 }
 
+TEST_F(DrawnSegments, TheNewOneIsDrawn)
+{
+  this->Press("newSegment");
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  this->SetNumber("brushRadius", 40.0);
+  this->Stroke(100, 200);
+  EXPECT_EQ(this->Voxels(0), 0);
+  EXPECT_GT(this->Voxels(1), 0);
+}
+
 TEST_F(DrawnSegments, ABrushPaintsAndErasesInOneStepEach)
 {
   this->Press("newSegment");

@@ -167,11 +167,12 @@ void SegmentsPanel::ShowHeader()
     withUnit(tr("Min")), withUnit(tr("Max")) });
 }
 
-// Keeps the items, and with them the selection.
+// Keeps the items, and with them the selection; a segment that is added is selected.
 void SegmentsPanel::ShowRows()
 {
   const std::vector<Segment>& segments = this->model->CurrentScene().labels->segments;
   const QSignalBlocker quiet(this->table);
+  const int rowsBefore = this->table->rowCount();
   this->table->setRowCount(int(segments.size()));
   for (int row = 0; row < this->table->rowCount(); ++row)
   {
@@ -183,7 +184,11 @@ void SegmentsPanel::ShowRows()
     name->setCheckState(segment.visible ? Qt::Checked : Qt::Unchecked);
     this->ShowStatistics(row);
   }
-  if (this->table->currentRow() < 0)
+  if (this->table->rowCount() == rowsBefore + 1)
+  {
+    this->table->selectRow(rowsBefore);
+  }
+  else if (this->table->currentRow() < 0)
   {
     this->table->selectRow(0);
   }
