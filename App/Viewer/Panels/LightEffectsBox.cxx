@@ -72,8 +72,8 @@ void LightEffectsBox::MakeShadows()
     });
 }
 
-NumberSlider* LightEffectsBox::MakeScattered(
-  const char* name, std::array<double, 2> range, double Scattering::*part)
+NumberSlider* LightEffectsBox::MakeSlider(const char* name, const std::array<double, 2>& range,
+  const QString& step, const std::function<double&(Scene&)>& numberOf)
 {
   auto* const slider = new NumberSlider(range[0], range[1], NumberSlider::Scale::Linear);
   slider->setObjectName(name);
@@ -81,8 +81,7 @@ NumberSlider* LightEffectsBox::MakeScattered(
     [=](double number, int gesture)
     {
       this->model->Edit(
-        ScenePart::Lights, tr("scattering"), [=](Scene& scene) { scene.scattering.*part = number; },
-        gesture);
+        ScenePart::Lights, step, [&](Scene& scene) { numberOf(scene) = number; }, gesture);
     });
   return slider;
 }
@@ -90,13 +89,17 @@ NumberSlider* LightEffectsBox::MakeScattered(
 QFormLayout* LightEffectsBox::MakeScattering()
 {
   auto* const rows = new QFormLayout;
-  this->scattering = this->MakeScattered("scattering", { 0.0, 1.0 }, &Scattering::blending);
+  const QString step = tr("scattering");
+  this->scattering = this->MakeSlider("scattering", { 0.0, 1.0 }, step,
+    [](Scene& scene) -> double& { return scene.scattering.blending; });
   this->scattering->setToolTip(
     tr("The part of the light that matter scatters and surfaces do not reflect; 0 is off."));
-  this->anisotropy = this->MakeScattered("anisotropy", { -0.95, 0.95 }, &Scattering::anisotropy);
+  this->anisotropy = this->MakeSlider("anisotropy", { -0.95, 0.95 }, step,
+    [](Scene& scene) -> double& { return scene.scattering.anisotropy; });
   this->anisotropy->setToolTip(
     tr("Scattered light mostly goes back below 0, and straight on above."));
-  this->scatteringReach = this->MakeScattered("scatteringReach", { 0.0, 1.0 }, &Scattering::reach);
+  this->scatteringReach = this->MakeSlider("scatteringReach", { 0.0, 1.0 }, step,
+    [](Scene& scene) -> double& { return scene.scattering.reach; });
   this->scatteringReach->setToolTip(
     tr("How far matter dims scattered light without shadows: 0 not at all, 1 everywhere."));
   rows->addRow(tr("Scattering"), this->scattering);
@@ -109,23 +112,13 @@ QFormLayout* LightEffectsBox::MakeOcclusion()
 {
   constexpr double LongestReachMm = 100.0;
   auto* const rows = new QFormLayout;
-  const auto add = [=](const char* name, double largest, double Occlusion::*part)
-  {
-    auto* const slider = new NumberSlider(0.0, largest, NumberSlider::Scale::Linear);
-    slider->setObjectName(name);
-    connect(slider, &NumberSlider::Edited, this,
-      [=](double number, int gesture)
-      {
-        this->model->Edit(
-          ScenePart::Lights, tr("ambient occlusion"),
-          [=](Scene& scene) { scene.occlusion.*part = number; }, gesture);
-      });
-    return slider;
-  };
-  this->occlusion = add("occlusion", 1.0, &Occlusion::strength);
+  const QString step = tr("ambient occlusion");
+  this->occlusion = this->MakeSlider("occlusion", { 0.0, 1.0 }, step,
+    [](Scene& scene) -> double& { return scene.occlusion.strength; });
   this->occlusion->setToolTip(
     tr("How much darker places are that see little of what is around the volume; 0 is off."));
-  this->reach = add("occlusionReach", LongestReachMm, &Occlusion::reachMm);
+  this->reach = this->MakeSlider("occlusionReach", { 0.0, LongestReachMm }, step,
+    [](Scene& scene) -> double& { return scene.occlusion.reachMm; });
   this->reach->SetSuffix(tr(" mm"));
   this->reach->setToolTip(tr("Matter farther away does not occlude. 0 stands for 16 voxels."));
   rows->addRow(tr("Occlusion"), this->occlusion);

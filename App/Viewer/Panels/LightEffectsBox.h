@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
 
 class QCheckBox;
 class QFormLayout;
@@ -28,8 +29,9 @@ public:
 private:
   void MakeSuited();
   void MakeShadows();
-  NumberSlider* MakeScattered(
-    const char* name, std::array<double, 2> range, double Scattering::*part);
+  /// A slider that edits a number of the scene's light.
+  NumberSlider* MakeSlider(const char* name, const std::array<double, 2>& range,
+    const QString& step, const std::function<double&(Scene&)>& numberOf);
   QFormLayout* MakeScattering();
   QFormLayout* MakeOcclusion();
   void Show(ScenePart part);

@@ -9,7 +9,6 @@
 #include "Viewer/View/CrosshairArms.h"
 #include "Viewer/View/SlicePlacement.h"
 
-#include <QColor>
 #include <QPoint>
 #include <QWidget>
 
@@ -74,7 +73,6 @@ private:
   void DrawBrush(QPainter& painter) const;
   bool PressSegment(const QMouseEvent* event);
   bool Draws() const; ///< the left button edits segments
-  static QColor ColorOfCrosshair();
   void DragWindowLevel(const QPoint& moved);
   void DragSlice(const QPoint& moved);
   void Zoom(double notches);

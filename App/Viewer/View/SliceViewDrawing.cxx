@@ -8,6 +8,7 @@
 #include "Viewer/View/MeasureOverlay.h"
 #include "Viewer/View/SliceCorners.h"
 
+#include <QColor>
 #include <QImage>
 #include <QPainter>
 
@@ -17,9 +18,11 @@
 namespace varimarch
 {
 
-QColor SliceView::ColorOfCrosshair()
+namespace
 {
-  return { 90, 200, 250, 170 };
+
+const QColor CrosshairColor(90, 200, 250, 170);
+
 }
 
 void SliceView::paintEvent(QPaintEvent*)
@@ -39,7 +42,7 @@ void SliceView::paintEvent(QPaintEvent*)
   if (this->hasFocus())
   {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(ColorOfCrosshair());
+    painter.setPen(CrosshairColor);
     painter.drawRect(QRectF(this->rect()).adjusted(0.5, 0.5, -0.5, -0.5));
   }
 }
@@ -107,7 +110,7 @@ void SliceView::DrawCrosshair(QPainter& painter) const
 {
   const double far = std::hypot(this->width(), this->height());
   const CrosshairArms arms = this->Arms();
-  painter.setPen(ColorOfCrosshair());
+  painter.setPen(CrosshairColor);
   for (const QPointF& along : arms.Directions())
   {
     painter.drawLine(arms.Middle() - far * along, arms.Middle() + far * along);
@@ -121,7 +124,7 @@ void SliceView::DrawBrush(QPainter& painter) const
     const double radius = this->segmentEditor->RadiusMm() / this->Placement().MmPerPixel();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(ColorOfCrosshair());
+    painter.setPen(CrosshairColor);
     painter.drawEllipse(this->pointer, radius, radius);
   }
 }
