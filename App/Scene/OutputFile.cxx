@@ -188,16 +188,37 @@ public:
   {
     syncfs(this->lock);
     std::error_code unknown;
-    std::string old;
-    if (fs::exists(fs::symlink_status(this->path, unknown)))
+    if (!fs::exists(fs::symlink_status(this->path, unknown)))
     {
-      if (!mayReplace(this->path))
-      {
-        throw std::runtime_error(this->path + ": exists already, and is not replaced");
-      }
-      old = NewPartOf(this->path);
-      Rename(this->path, old);
+      this->Rename(this->part, this->path);
     }
+    else if (mayReplace(this->path))
+    {
+      this->Replace();
+    }
+    else
+    {
+      throw std::runtime_error(this->path + ": exists already, and is not replaced");
+    }
+    SyncFolder(FolderOf(this->path));
+  }
+
+private:
+  // Both change their names at once, so that a program that is killed leaves one of them whole
+  // under the final name. The part, which is deleted, is then what was there before.
+  void Replace()
+  {
+    if (renameat2(AT_FDCWD, this->part.c_str(), AT_FDCWD, this->path.c_str(), RENAME_EXCHANGE) == 0)
+    {
+      return;
+    }
+    if (errno != EINVAL && errno != ENOSYS)
+    {
+      FailToWrite(this->path);
+    }
+    // File systems such as NFS change one name at a time.
+    const std::string old = NewPartOf(this->path);
+    this->Rename(this->path, old);
     if (std::rename(this->part.c_str(), this->path.c_str()) != 0)
     {
       const int reason = errno;
@@ -205,16 +226,15 @@ public:
       errno = reason;
       FailToWrite(this->path);
     }
-    fs::remove_all(old, unknown);
-    SyncFolder(FolderOf(this->path));
+    std::error_code ignored;
+    fs::remove_all(old, ignored);
   }
 
-private:
-  static void Rename(const std::string& from, const std::string& to)
+  void Rename(const std::string& from, const std::string& to) const
   {
     if (std::rename(from.c_str(), to.c_str()) != 0)
     {
-      FailToWrite(from);
+      FailToWrite(this->path);
     }
   }
 
