@@ -78,45 +78,48 @@ public:
   std::array<int, 6> box = {};
 };
 
-// The change of all voxels of a box whose new number differs.
-template <class NewNumber>
-LabelChange ChangeIn(
-  const std::array<int, 6>& box, vtkImageData* numbers, const NewNumber& newNumber)
+// Visits the voxels of a box, x fastest: their offset in the image, and their place.
+template <class Visit>
+void ForEachVoxelOf(const std::array<int, 6>& box, vtkImageData* numbers, const Visit& visit)
 {
   const int* const size = numbers->GetDimensions();
-  const std::uint8_t* const old = NumbersIn(numbers);
-  VoxelBox changed;
-  std::vector<std::pair<std::size_t, std::uint8_t>> changes;
   for (int z = box[4]; z <= box[5]; ++z)
   {
     for (int y = box[2]; y <= box[3]; ++y)
     {
       for (int x = box[0]; x <= box[1]; ++x)
       {
-        const std::size_t voxel = (std::size_t(z) * size[1] + y) * size[0] + x;
-        const std::uint8_t wanted = newNumber(voxel, glm::ivec3(x, y, z), old[voxel]);
-        if (wanted != old[voxel])
-        {
-          changed.Add(x, y, z);
-          changes.emplace_back(voxel, wanted);
-        }
+        visit((std::size_t(z) * size[1] + y) * size[0] + x, glm::ivec3(x, y, z));
       }
     }
   }
+}
+
+// The change of all voxels of a box whose new number differs. Asking for every number twice needs
+// no memory beside that of the change.
+template <class NewNumber>
+LabelChange ChangeIn(
+  const std::array<int, 6>& box, vtkImageData* numbers, const NewNumber& newNumber)
+{
+  const std::uint8_t* const old = NumbersIn(numbers);
+  VoxelBox changed;
+  ForEachVoxelOf(box, numbers,
+    [&](std::size_t voxel, const glm::ivec3& place)
+    {
+      if (newNumber(voxel, place, old[voxel]) != old[voxel])
+      {
+        changed.Add(place.x, place.y, place.z);
+      }
+    });
   if (!changed.any)
   {
     return {};
   }
   LabelChange change = { changed.box, NumbersInBox(changed.box, numbers), {} };
-  change.after = change.before;
-  const std::array<int, 6>& at = change.box;
-  for (const auto& [voxel, wanted] : changes)
-  {
-    const int x = int(voxel % size[0]) - at[0];
-    const int y = int(voxel / size[0] % size[1]) - at[2];
-    const int z = int(voxel / size[0] / size[1]) - at[4];
-    change.after[(std::size_t(z) * (at[3] - at[2] + 1) + y) * (at[1] - at[0] + 1) + x] = wanted;
-  }
+  change.after.reserve(change.before.size());
+  ForEachVoxelOf(changed.box, numbers,
+    [&](std::size_t voxel, const glm::ivec3& place)
+    { change.after.push_back(newNumber(voxel, place, old[voxel])); });
   return change;
 }
 
