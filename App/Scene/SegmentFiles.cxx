@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-void CheckPath(const std::string& path, const VolumeSource& scan)
+void CheckPath(const std::string& path, const std::vector<VolumeSource>& scans)
 {
   const auto endings = { ".seg.nrrd", ".nii", ".nii.gz" };
   const bool isKnown = std::any_of(endings.begin(), endings.end(),
@@ -26,12 +26,15 @@ void CheckPath(const std::string& path, const VolumeSource& scan)
     throw std::runtime_error(
       path + ": expected a name that ends with .seg.nrrd, .nii or .nii.gz; choose one");
   }
-  const auto* const file = std::get_if<FileSource>(&scan);
-  std::error_code unknown;
-  if (file && std::filesystem::equivalent(path, file->path, unknown))
+  for (const VolumeSource& scan : scans)
   {
-    throw std::runtime_error(
-      path + ": this is the file of the scan, which is not replaced; choose another name");
+    const auto* const file = std::get_if<FileSource>(&scan);
+    std::error_code unknown;
+    if (file && std::filesystem::equivalent(path, file->path, unknown))
+    {
+      throw std::runtime_error(
+        path + ": this is the file of the scan, which is not replaced; choose another name");
+    }
   }
 }
 
@@ -55,9 +58,9 @@ vtkSmartPointer<vtkImageData> ValuesOf(vtkImageData* numbers, const std::vector<
 }
 
 std::vector<std::string> WriteSegments(const LabelMap& labels, const std::vector<Segment>& segments,
-  const VolumeSource& scan, const std::string& path)
+  const std::vector<VolumeSource>& scans, const std::string& path)
 {
-  CheckPath(path, scan);
+  CheckPath(path, scans);
   LoadedVolume volume;
   volume.image = ValuesOf(labels.image, segments);
   volume.segments = segments;

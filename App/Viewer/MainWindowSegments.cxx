@@ -63,8 +63,13 @@ bool MainWindow::SaveSegmentation()
   try
   {
     const Scene& scene = this->model.CurrentScene();
-    WriteSegments(*this->model.CurrentStudy()->labels, scene.labels->segments, scene.volume,
-      path.toStdString());
+    std::vector<VolumeSource> scans = { scene.volume };
+    for (const OverlaidVolume& overlay : scene.overlays)
+    {
+      scans.push_back(overlay.source);
+    }
+    WriteSegments(
+      *this->model.CurrentStudy()->labels, scene.labels->segments, scans, path.toStdString());
   }
   catch (const std::exception& problem)
   {

@@ -37,7 +37,7 @@ protected:
 
   LabelMap Back(const std::string& name)
   {
-    WriteSegments(this->labels, this->segments, ProceduralSource(), this->folder.Path(name));
+    WriteSegments(this->labels, this->segments, { ProceduralSource() }, this->folder.Path(name));
     return LoadLabels({ this->folder.Path(name) }, this->scan);
   }
 
@@ -82,13 +82,15 @@ TEST_F(SegmentFiles, KeepValuesOfMoreThanAByte)
   this->ExpectSameVoxels(back);
 }
 
-TEST_F(SegmentFiles, NeverReplaceTheScan)
+TEST_F(SegmentFiles, NeverReplaceAScan)
 {
   const std::string path = this->folder.Path("scan.nii");
   this->folder.Write("scan.nii", "the scan");
   const VolumeSource scan = FileSource{ path, std::nullopt };
-  EXPECT_THROW(WriteSegments(this->labels, this->segments, scan, path), std::runtime_error);
+  EXPECT_THROW(WriteSegments(this->labels, this->segments, { scan }, path), std::runtime_error);
+  EXPECT_THROW(WriteSegments(this->labels, this->segments, { ProceduralSource(), scan }, path),
+    std::runtime_error);
   EXPECT_EQ(std::filesystem::file_size(path), 8u);
-  EXPECT_THROW(WriteSegments(this->labels, this->segments, scan, this->folder.Path("a.png")),
+  EXPECT_THROW(WriteSegments(this->labels, this->segments, { scan }, this->folder.Path("a.png")),
     std::runtime_error);
 }
