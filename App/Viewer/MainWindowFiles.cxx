@@ -335,8 +335,13 @@ void MainWindow::ShowWarnings()
   this->warnings->Show(texts, remedy);
 }
 
+// Segments are read anew for the other grid, so they are saved before.
 void MainWindow::ToggleRectified()
 {
+  if (this->model.HasUnsavedLabels() && !this->SaveSegmentation())
+  {
+    return;
+  }
   VolumeSource source = this->model.CurrentScene().volume;
   auto& file = std::get<FileSource>(source);
   file.rectified = this->model.CurrentStudy()->volume.slices != SliceLayout::Rectified;

@@ -236,6 +236,27 @@ TEST_F(Opening, OffersToRectifyATiltedScan)
   EXPECT_EQ(this->Remedy()->text(), "Show as scanned");
 }
 
+TEST_F(Opening, SavesDrawnSegmentsBeforeItRectifies)
+{
+  this->WriteTiltedSeries();
+  this->Open("tilted");
+  ASSERT_TRUE(this->IsOpened());
+  SceneModel* const model = this->window.Model();
+  model->AddSegment("liver", "new segment");
+  const int* const size = model->CurrentStudy()->volume.image->GetDimensions();
+  const std::size_t count = std::size_t(size[0]) * size[1] * size[2];
+  model->ChangeLabels({ { 0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1 },
+                        std::vector<std::uint8_t>(count, 0), std::vector<std::uint8_t>(count, 1) },
+    "paint");
+  const Answers named(
+    QMessageBox::Discard, QString::fromStdString(this->folder.Path("drawn.seg.nrrd")));
+  this->Remedy()->click();
+  ASSERT_TRUE(this->HasRows(7));
+  ASSERT_TRUE(model->CurrentScene().labels);
+  EXPECT_EQ(model->CurrentScene().labels->segments.front().name, "liver");
+  EXPECT_FALSE(model->HasUnsavedLabels());
+}
+
 TEST_F(Opening, StaysAsScannedWhenRectifyingIsCancelled)
 {
   this->WriteTiltedSeries();
