@@ -105,7 +105,7 @@ TEST(SceneOverlays, APlacementIsWhereTheVolumeIs)
   EXPECT_GT(Difference(picture, unmoved.Draw()).largest, 0.1 * Levels);
 }
 
-// The first volume is a maximum with shadows and a mask, which several volumes cannot be.
+// The first volume is a maximum with a mask, which several volumes cannot be.
 TEST(SceneOverlays, TheFirstVolumeIsItselfAgainWhenTheyGo)
 {
   Overlaid scene;
