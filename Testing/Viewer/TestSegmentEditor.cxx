@@ -228,6 +228,23 @@ TEST_F(DrawnSegments, AreCleanedUpByButtons)
   EXPECT_EQ(this->Voxels(0), large);
 }
 
+TEST_F(DrawnSegments, NoToolTurnsTheSlices)
+{
+  this->Press("newSegment");
+  const auto cursorOnArm = [this]
+  {
+    QMouseEvent move(QEvent::MouseMove, QPointF(280, 150), Qt::NoButton, {}, {});
+    QApplication::sendEvent(&this->slice, &move);
+    return this->slice.cursor().shape();
+  };
+  EXPECT_EQ(cursorOnArm(), Qt::PointingHandCursor);
+  for (const char* const tool : { "toolRegion", "toolPaint", "toolErase" })
+  {
+    this->Press(tool);
+    EXPECT_EQ(cursorOnArm(), Qt::CrossCursor) << tool;
+  }
+}
+
 TEST_F(DrawnSegments, TheCrosshairMovesAgainWithoutATool)
 {
   this->Press("newSegment");

@@ -13,7 +13,7 @@ namespace varimarch
 {
 
 /// A volume in memory with the statistics of its voxels, and the labels over it. It does not
-/// change.
+/// change, but SceneModel and SegmentEditor edit the voxels of the labels where they are.
 struct Study
 {
   LoadedVolume volume;

@@ -230,7 +230,7 @@ void SliceView::FollowPointer(const QPointF& place)
       : QString());
   const bool isBrush = this->segmentEditor && this->segmentEditor->IsBrush();
   const bool turns =
-    this->draggedArms || (!this->measuring && !isBrush && this->Arms().Hold(place));
+    this->draggedArms || (!this->measuring && !this->Draws() && this->Arms().Hold(place));
   this->setCursor(turns ? Qt::PointingHandCursor : Qt::CrossCursor);
   if (isBrush)
   {
