@@ -275,6 +275,7 @@ nlohmann::ordered_json JsonFromPreset(const Preset& preset)
   }
   if (preset.light)
   {
+    json["light"] = nlohmann::ordered_json::object(); // also where all of it is off
     AddLighting(*preset.light, json["light"]);
   }
   return json;

@@ -55,6 +55,13 @@ TEST(Presets, ShadedOnesSayTheLightThatSuitsThem)
   }
 }
 
+TEST(Presets, LightThatIsOffIsReadBack)
+{
+  Preset preset = BuiltInPreset("ct-maximum");
+  preset.light = Lighting();
+  EXPECT_TRUE(PresetFromText(PresetText(preset), "test").light);
+}
+
 TEST(Presets, UnknownNameSuggestsTheNearest)
 {
   try
