@@ -1,7 +1,7 @@
 // The preset gallery: thumbnails of this volume, presets applied by a click, and the user's own.
 
+#include "OverlaidStudy.h"
 #include "Scene/Presets.h"
-#include "SmallStudy.h"
 #include "Viewer/Panels/PresetGallery.h"
 #include "Waiting.h"
 
@@ -57,6 +57,20 @@ protected:
   PresetGallery panel{ &this->model, this->folder.filePath("presets") };
 };
 
+}
+
+// A preset gives only its look to a volume over the first one.
+TEST_F(Gallery, KnowsThePresetOfAFurtherVolume)
+{
+  AddPet(this->model);
+  this->model.Edit(
+    ScenePart::Render, "tolerance", [](Scene& scene) { scene.render.errorTolerance = 0.125; });
+  this->Click("PET maximum");
+  ASSERT_TRUE(this->List()->currentItem());
+  EXPECT_EQ(this->List()->currentItem()->text(), "PET maximum");
+  const int steps = this->model.History()->count();
+  this->Click("PET maximum");
+  EXPECT_EQ(this->model.History()->count(), steps);
 }
 
 TEST_F(Gallery, ShowsThisVolumeAsEachPresetDoes)

@@ -36,10 +36,18 @@ std::string NamelessText(const Scene& scene)
   return PresetText(preset);
 }
 
-// The same for a scene with a preset applied.
-std::string NamelessText(Scene scene, const Preset& preset)
+// The same after SceneModel::SetPreset.
+std::string NamelessText(const SceneModel& model, const Preset& preset)
 {
-  TakePreset(preset, scene);
+  Scene scene = model.EditedScene();
+  if (model.EditedVolume() == 0)
+  {
+    TakePreset(preset, scene);
+  }
+  else
+  {
+    scene.look = preset.look;
+  }
   return NamelessText(scene);
 }
 
@@ -218,10 +226,9 @@ void PresetGallery::ShowPicture(int index, const QImage& picture)
 
 void PresetGallery::MarkCurrent()
 {
-  const Scene scene = this->model->EditedScene();
-  const std::string text = NamelessText(scene);
+  const std::string text = NamelessText(this->model->EditedScene());
   const auto found = std::find_if(this->presets.begin(), this->presets.end(),
-    [&](const Preset& preset) { return NamelessText(scene, preset) == text; });
+    [&](const Preset& preset) { return NamelessText(*this->model, preset) == text; });
   const int row = found == this->presets.end() ? -1 : int(found - this->presets.begin());
   this->list->setCurrentRow(row);
 }
@@ -229,8 +236,7 @@ void PresetGallery::MarkCurrent()
 void PresetGallery::Choose(int row)
 {
   // A double-click is also reported as a click; apply the preset only once.
-  const Scene scene = this->model->EditedScene();
-  if (NamelessText(scene, this->presets[row]) != NamelessText(scene))
+  if (NamelessText(*this->model, this->presets[row]) != NamelessText(this->model->EditedScene()))
   {
     this->model->SetPreset(this->presets[row], tr("choose %1").arg(this->list->item(row)->text()));
   }
