@@ -1,7 +1,5 @@
 #include "Viewer/MainWindow.h"
 
-#include "Scene/PresetSuggestion.h"
-#include "Scene/Presets.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Open/StartPage.h"
@@ -218,17 +216,7 @@ void MainWindow::MakeEditMenu()
       redo->setEnabled(!isStroking && this->model.History()->canRedo());
     });
   edit->addSeparator();
-  edit->addAction(
-    tr("&Suggested look"), this,
-    [this]
-    {
-      if (const auto study = this->model.CurrentStudy())
-      {
-        const std::string name = SuggestedPreset(study->volume, study->statistics).name;
-        this->model.SetPreset(BuiltInPreset(name), tr("suggested look"));
-      }
-    },
-    QKeySequence("R"));
+  edit->addAction(tr("&Suggested look"), this, &MainWindow::TakeSuggestedLook, QKeySequence("R"));
 }
 
 void MainWindow::MakePanels()

@@ -107,6 +107,7 @@ private:
   bool SaveSegmentation(); ///< false if the user cancels, or if saving fails
   QWidget* MakeSegmentsPanel();
   void ChooseFurtherScan();
+  void TakeSuggestedLook();
   void Register(int overlay);
   void TakeRegistered(int overlay, const Placement& placement);
   void ShowAdded(const VolumeSource& source, const std::shared_ptr<const Study>& study);

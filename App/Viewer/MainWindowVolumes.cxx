@@ -4,6 +4,8 @@
 
 #include "Registration/RigidRegistration.h"
 #include "Scene/Overlaying.h"
+#include "Scene/PresetSuggestion.h"
+#include "Scene/Presets.h"
 #include "Viewer/Model/Log.h"
 
 #include <QDockWidget>
@@ -109,6 +111,24 @@ void MainWindow::ShowAdded(const VolumeSource& source, const std::shared_ptr<con
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setObjectName("otherSpace");
     box->open();
+  }
+}
+
+// Gives the edited volume its first look again.
+void MainWindow::TakeSuggestedLook()
+{
+  const auto study = this->model.EditedStudy();
+  const int edited = this->model.EditedVolume();
+  if (edited > 0)
+  {
+    const VolumeSource& source = this->model.CurrentScene().overlays[edited - 1].source;
+    this->model.SetLook(
+      OverlayOf(source, study->volume, study->statistics).look, tr("suggested look"));
+  }
+  else if (study)
+  {
+    const std::string name = SuggestedPreset(study->volume, study->statistics).name;
+    this->model.SetPreset(BuiltInPreset(name), tr("suggested look"));
   }
 }
 

@@ -81,6 +81,25 @@ TEST_F(FurtherScans, AreDrawnOverTheFirstWithAWarningOfTheirSpace)
   EXPECT_LT(this->RedPixels() + 100, hot);
 }
 
+TEST_F(FurtherScans, HaveASuggestedLookOfTheirOwn)
+{
+  this->OpenTorso();
+  const std::string first = this->Model()->CurrentScene().look.name;
+  this->AddPetOfFile();
+  const std::string suggested = this->Model()->EditedLook().name;
+  ASSERT_NE(suggested, first);
+  this->Model()->SetPreset(BuiltInPreset("pet-hot"), "hot");
+  for (QAction* const action : this->window.findChildren<QAction*>())
+  {
+    if (action->shortcut() == QKeySequence("R"))
+    {
+      action->trigger();
+    }
+  }
+  EXPECT_EQ(this->Model()->EditedLook().name, suggested);
+  EXPECT_EQ(this->Model()->CurrentScene().look.name, first);
+}
+
 TEST_F(FurtherScans, AreInSessions)
 {
   this->OpenTorso();

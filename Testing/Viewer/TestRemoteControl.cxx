@@ -1,5 +1,6 @@
 // Scripts that drive the window through its local socket: looks go both ways, and no message harms.
 
+#include "OverlaidStudy.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "TorsoWindow.h"
@@ -62,6 +63,16 @@ TEST_F(RemoteWindow, TellsWhatTheUserHasEdited)
   EXPECT_EQ(this->Ask(request.dump())["done"], true) << "what is read can be set";
   EXPECT_EQ(LookText(this->Model()->CurrentScene().look),
     LookText(PresetFromText(look.dump(), "look").look));
+}
+
+TEST_F(RemoteWindow, TellsAndSetsTheLookOfTheSameVolume)
+{
+  this->OpenTorso();
+  AddPet(*this->Model());
+  EXPECT_EQ(this->Ask(R"({"get": "look"})")["look"]["name"], "pet-hot");
+  EXPECT_EQ(this->Ask(R"({"set": "mr-head"})")["done"], true);
+  EXPECT_EQ(this->Ask(R"({"get": "look"})")["look"]["name"], "mr-head");
+  EXPECT_EQ(this->Model()->CurrentScene().look.name, "ct-bone");
 }
 
 TEST_F(RemoteWindow, AnswersABadMessageInOneSentenceAndGoesOn)

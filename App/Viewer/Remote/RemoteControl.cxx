@@ -122,7 +122,7 @@ std::string RemoteControl::Answer(const RemoteRequest& request)
   }
   if (request.task == RemoteRequest::Task::ReadLook)
   {
-    return RemoteLook(PresetOf(model->CurrentScene()));
+    return RemoteLook(PresetOf(model->EditedScene()));
   }
   model->SetPreset(request.look, tr("look of a script"));
   return RemoteDone();
