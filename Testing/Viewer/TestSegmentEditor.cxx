@@ -89,6 +89,7 @@ TEST_F(DrawnSegments, AreUnsavedUnlessTheirFileHasTheSameVoxels)
 {
   this->Press("newSegment");
   this->Press("toolPaint");
+  this->SetNumber("brushRadius", 40.0);
   this->Stroke(100, 120);
   EXPECT_TRUE(this->model.HasUnsavedLabels());
   this->model.TakeSavedLabels("/scans/drawn.seg.nrrd", "save");
@@ -144,6 +145,7 @@ TEST_F(DrawnSegments, AStrokeIsOneStepWhateverOtherButtonsDo)
 {
   this->Press("newSegment");
   this->Press("toolPaint");
+  this->SetNumber("brushRadius", 40.0);
   const int steps = this->model.History()->count();
   QTest::mousePress(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
   QTest::mousePress(&this->slice, Qt::RightButton, Qt::NoModifier, { 140, 150 });
@@ -157,6 +159,7 @@ TEST_F(DrawnSegments, AStrokeEndsWithItsLabels)
 {
   this->Press("newSegment");
   this->Press("toolPaint");
+  this->SetNumber("brushRadius", 40.0);
   vtkImageData* const numbers = this->model.CurrentStudy()->labels->image;
   QTest::mousePress(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
   EXPECT_EQ(numbers->GetScalarRange()[1], 1.0);
@@ -172,6 +175,7 @@ TEST_F(DrawnSegments, ADoubleClickPaintsToo)
 {
   this->Press("newSegment");
   this->Press("toolPaint");
+  this->SetNumber("brushRadius", 40.0);
   QSignalSpy enlarged(&this->slice, &SliceView::DoubleClicked);
   QTest::mouseDClick(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
   QTest::mouseRelease(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
