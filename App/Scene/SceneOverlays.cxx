@@ -128,15 +128,14 @@ void SceneOverlays::Set(const std::vector<OverlaidVolume>& overlays,
     property->SetInterpolationType(this->interpolationType);
     vtkVolume* const volume = this->parts[i].volume;
     volume->SetProperty(property);
-    volume->SetUserMatrix(MatrixOf(WorldFromPatient(shown[i]->placement, image)));
+    vtkNew<vtkTransform> worldFromImage;
     if (!IsOurs(this->kind))
     {
-      vtkNew<vtkTransform> worldFromImage;
       WithoutDirection(RightHanded(image), worldFromImage);
-      worldFromImage->PostMultiply();
-      worldFromImage->Concatenate(MatrixOf(WorldFromPatient(shown[i]->placement, image)));
-      volume->SetUserMatrix(worldFromImage->GetMatrix());
     }
+    worldFromImage->PostMultiply();
+    worldFromImage->Concatenate(MatrixOf(WorldFromPatient(shown[i]->placement, image)));
+    volume->SetUserMatrix(worldFromImage->GetMatrix());
   }
 }
 
