@@ -312,27 +312,12 @@ void MainWindow::ShowSuggestion(const Study& study)
 
 void MainWindow::ShowWarnings()
 {
-  const LoadedVolume& volume = this->model.CurrentStudy()->volume;
-  std::vector<std::string> warnings = volume.warnings;
-  if (const auto labels = this->model.CurrentStudy()->labels)
-  {
-    warnings.insert(warnings.end(), labels->warnings.begin(), labels->warnings.end());
-  }
-  QStringList texts;
-  for (const std::string& warning : warnings)
-  {
-    texts.append(QString::fromStdString(warning));
-  }
-  if (volume.times.AreSeveral())
-  {
-    texts.append(tr("The file holds %1 times; number %2 of them is shown.")
-                   .arg(volume.times.values.size())
-                   .arg(volume.times.current + 1));
-  }
-  const QString remedy = volume.slices == SliceLayout::Irregular ? tr("Rectify")
-    : volume.slices == SliceLayout::Rectified                    ? tr("Show as scanned")
-                                                                 : QString();
-  this->warnings->Show(texts, remedy);
+  const Study& study = *this->model.CurrentStudy();
+  const SliceLayout slices = study.volume.slices;
+  const QString remedy = slices == SliceLayout::Irregular ? tr("Rectify")
+    : slices == SliceLayout::Rectified                    ? tr("Show as scanned")
+                                                          : QString();
+  this->warnings->Show(WarningBar::TextsOf(study), remedy);
 }
 
 // Segments are read anew for the other grid, so they are saved before.

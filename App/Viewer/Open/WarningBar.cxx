@@ -1,5 +1,7 @@
 #include "Viewer/Open/WarningBar.h"
 
+#include "Viewer/Model/Study.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -37,6 +39,28 @@ WarningBar::WarningBar(QWidget* parent)
   row->addWidget(this->remedy, 0, Qt::AlignTop);
   row->addWidget(close, 0, Qt::AlignTop);
   this->hide();
+}
+
+QStringList WarningBar::TextsOf(const Study& study)
+{
+  std::vector<std::string> warnings = study.volume.warnings;
+  if (study.labels)
+  {
+    warnings.insert(warnings.end(), study.labels->warnings.begin(), study.labels->warnings.end());
+  }
+  QStringList texts;
+  for (const std::string& warning : warnings)
+  {
+    texts.append(QString::fromStdString(warning));
+  }
+  const LoadedTimes& times = study.volume.times;
+  if (times.AreSeveral())
+  {
+    texts.append(tr("The file holds %1 times; number %2 of them is shown.")
+                   .arg(times.values.size())
+                   .arg(times.current + 1));
+  }
+  return texts;
 }
 
 void WarningBar::Show(const QStringList& warnings, const QString& remedy)

@@ -10,6 +10,8 @@ class QPushButton;
 namespace varimarch
 {
 
+struct Study;
+
 /// A bar above the views with warnings about the current volume. It stays until the user closes it
 /// or another volume is opened.
 class WarningBar : public QFrame
@@ -18,6 +20,9 @@ class WarningBar : public QFrame
 
 public:
   explicit WarningBar(QWidget* parent = nullptr);
+
+  /// The warnings of a volume and of its labels, and that its file holds further times.
+  static QStringList TextsOf(const Study& study);
 
   /// Shows warnings; hides the bar if there are none.
   /// @param remedy  label of a button beside them; empty: no button

@@ -2322,10 +2322,6 @@ Masken nicht unterstützt</translation>
         <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
         <translation>Diese Aufnahme stammt aus einem Archiv und wird am Ende gelöscht; eine Sitzung fände sie nicht wieder. Holen Sie sie zuerst mit „Behalten in…“.</translation>
     </message>
-    <message>
-        <source>The file holds %1 times; number %2 of them is shown.</source>
-        <translation>Die Datei enthält %1 Zeitpunkte; gezeigt wird Nummer %2.</translation>
-    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -3788,6 +3784,10 @@ ml</translation>
     <message>
         <source>Dismiss</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>The file holds %1 times; number %2 of them is shown.</source>
+        <translation>Die Datei enthält %1 Zeitpunkte; gezeigt wird Nummer %2.</translation>
     </message>
 </context>
 </TS>

@@ -2322,10 +2322,6 @@ no admite máscaras</translation>
         <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
         <translation>Este estudio procede de un archivo y se borra al final; una sesión no podría encontrarlo. Tráigalo primero con «Conservar en…».</translation>
     </message>
-    <message>
-        <source>The file holds %1 times; number %2 of them is shown.</source>
-        <translation>El archivo contiene %1 tiempos; se muestra el número %2.</translation>
-    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -3788,6 +3784,10 @@ ml</translation>
     <message>
         <source>Dismiss</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>The file holds %1 times; number %2 of them is shown.</source>
+        <translation>El archivo contiene %1 tiempos; se muestra el número %2.</translation>
     </message>
 </context>
 </TS>
