@@ -35,10 +35,7 @@ BackgroundTask::BackgroundTask(QObject* parent)
 
 BackgroundTask::~BackgroundTask()
 {
-  const std::shared_ptr<State> last = this->state;
-  this->blockSignals(true);
-  this->Cancel();
-  if (last)
+  if (const std::shared_ptr<State> last = this->LeaveAlone())
   {
     std::unique_lock<std::mutex> lock(last->mutex);
     last->endedChanged.wait_for(lock, std::chrono::seconds(2), [&] { return last->hasEnded; });
@@ -92,40 +89,46 @@ void BackgroundTask::Run(const std::shared_ptr<State>& state)
   if (state->owner)
   {
     QMetaObject::invokeMethod(
-      state->owner, [owner = state->owner, ended = state.get()] { owner->Finish(ended); },
-      Qt::QueuedConnection);
+      state->owner, [owner = state->owner, state] { owner->Finish(state); }, Qt::QueuedConnection);
   }
 }
 
-void BackgroundTask::Finish(State* ended)
+void BackgroundTask::Finish(const std::shared_ptr<State>& ended)
 {
-  if (ended != this->state.get())
+  if (ended != this->state)
   {
     return; // it was cancelled
   }
-  const std::shared_ptr<State> last = std::exchange(this->state, nullptr);
+  this->state = nullptr;
   emit this->RunningChanged(false);
-  if (last->failure.isEmpty())
+  if (ended->failure.isEmpty())
   {
-    last->done();
+    ended->done();
   }
   else
   {
-    emit this->Failed(last->failure);
+    emit this->Failed(ended->failure);
   }
 }
 
 void BackgroundTask::Cancel()
 {
-  if (const std::shared_ptr<State> last = std::exchange(this->state, nullptr))
+  if (this->LeaveAlone())
   {
-    last->stop = true;
-    {
-      const std::lock_guard<std::mutex> lock(last->mutex);
-      last->owner = nullptr;
-    }
     emit this->RunningChanged(false);
   }
+}
+
+std::shared_ptr<BackgroundTask::State> BackgroundTask::LeaveAlone()
+{
+  std::shared_ptr<State> last = std::exchange(this->state, nullptr);
+  if (last)
+  {
+    last->stop = true;
+    const std::lock_guard<std::mutex> lock(last->mutex);
+    last->owner = nullptr;
+  }
+  return last;
 }
 
 }

@@ -48,7 +48,10 @@ private:
   struct State;
 
   static void Run(const std::shared_ptr<State>& state);
-  void Finish(State* ended);
+  void Finish(const std::shared_ptr<State>& ended);
+  /// Asks the thread to stop, and takes nothing from it any more.
+  /// @returns the state of the work; null if nothing runs
+  std::shared_ptr<State> LeaveAlone();
 
   std::shared_ptr<State> state; ///< null if nothing runs
 };
