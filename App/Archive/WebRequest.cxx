@@ -41,6 +41,11 @@ int StatusOf(const QNetworkReply& reply)
   return reply.attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
 }
 
+bool IsSuccess(int status)
+{
+  return status / 100 == 2;
+}
+
 // The wait for the end of an answer, in a loop of events.
 class Awaiting
 {
@@ -88,13 +93,19 @@ public:
   }
 
 private:
-  // Receives what has come. An error is told by its status, so its text is not received.
+  // Receives what has come. An error is told by its status, so its text, which may have no end, is
+  // not waited for.
   void Hear()
   {
     this->silence.restart();
+    if (!IsSuccess(StatusOf(this->reply)))
+    {
+      this->loop.quit();
+      return;
+    }
     try
     {
-      if (!this->problem && this->reply.bytesAvailable() > 0 && StatusOf(this->reply) / 100 == 2)
+      if (!this->problem && this->reply.bytesAvailable() > 0)
       {
         this->receive(this->reply);
       }
@@ -183,7 +194,8 @@ void WebRequest::CheckAnswer(QNetworkReply& reply) const
       reply.header(QNetworkRequest::LocationHeader).toString() +
       "\"; give that URL if you trust it");
   }
-  if (status >= 400)
+  const bool isAnswer = status != 0;
+  if (isAnswer && !IsSuccess(status))
   {
     this->Fail(QStringLiteral("it answers with the status %1").arg(status));
   }

@@ -164,9 +164,31 @@ def refusals_are_told():
         assert "asks for a user and a password" in sentence("check", web(port))
     with server(answering(page(b"", status=b"500 Oh"))) as port:
         assert "status 500" in sentence("check", web(port))
-    moved = b"HTTP/1.1 302 Found\r\nLocation: http://elsewhere.example/\r\nContent-Length: 0\r\n\r\n"
-    with server(answering(moved)) as port:
-        assert "elsewhere.example" in sentence("check", web(port))
+
+
+def redirections_are_not_followed():
+    """A password reaches only the server that the user has named."""
+    visits = []
+    with server(visits.append) as elsewhere:
+        moved = (
+            b"HTTP/1.1 302 Found\r\nLocation: http://127.0.0.1:%d/\r\nContent-Length: 0\r\n\r\n"
+        )
+        with server(answering(moved % elsewhere)) as port:
+            assert f"to \"http://127.0.0.1:{elsewhere}/\"" in sentence("check", web(port))
+    assert not visits
+
+
+def errors_without_an_end_are_not_read():
+    def serve(connection):
+        read_request(connection)
+        connection.sendall(b"HTTP/1.1 500 Oh\r\nContent-Type: text/plain\r\n\r\n")
+        deadline = time.monotonic() + MOST_SECONDS
+        while time.monotonic() < deadline:
+            connection.sendall(bytes(1024))
+            time.sleep(0.001)
+
+    with server(serve) as port:
+        assert "status 500" in sentence("find", web(port))
 
 
 def damaged_images_leave_a_sentence():
