@@ -14,6 +14,9 @@ constexpr int MostHeaderBytes = 65536;
 // RFC 2046 allows 70 characters, but Orthanc takes 73.
 constexpr int LongestBoundary = 200;
 
+// Space that a file takes on a disk besides its bytes, about: a part may be empty.
+constexpr double BytesPerFile = 4096.0;
+
 }
 
 QByteArray BoundaryOf(const QByteArray& contentType)
@@ -97,6 +100,7 @@ bool MultipartWriter::TakeBoundaryEnd()
 
 void MultipartWriter::BeginPart()
 {
+  this->TakeSpace(BytesPerFile);
   ++this->partCount;
   this->part = std::make_unique<QFile>(
     QString::fromStdString(this->folder) + QStringLiteral("/image-%1.dcm").arg(this->partCount));
@@ -121,17 +125,22 @@ bool MultipartWriter::TakeBody()
   return true;
 }
 
+void MultipartWriter::TakeSpace(double bytes)
+{
+  this->spaceBytes -= bytes;
+  if (this->spaceBytes < 0.0)
+  {
+    throw std::runtime_error("more bytes of images than there is free space for");
+  }
+}
+
 void MultipartWriter::Write(int count)
 {
   if (count <= 0)
   {
     return;
   }
-  this->spaceBytes -= count;
-  if (this->spaceBytes < 0.0)
-  {
-    throw std::runtime_error("more bytes of images than there is free space for");
-  }
+  this->TakeSpace(count);
   if (this->part->write(this->buffer.constData(), count) != count || !this->part->flush())
   {
     throw std::runtime_error("no place for an image: " + this->part->errorString().toStdString());

@@ -19,7 +19,7 @@ class MultipartWriter
 {
 public:
   /// @param folder      gets the files "image-1.dcm" and so on
-  /// @param spaceBytes  the most bytes of all parts
+  /// @param spaceBytes  the most bytes that all files may take
   MultipartWriter(const QByteArray& boundary, const std::string& folder, double spaceBytes);
 
   /// @throws std::runtime_error with the part of a sentence that says what is wrong
@@ -46,6 +46,7 @@ private:
   bool TakeBoundaryEnd();
   bool TakeBody();
   void BeginPart();
+  void TakeSpace(double bytes);
   void Write(int count);
 
   QByteArray delimiter; ///< the boundary with the line break before it, which belongs to it
