@@ -49,7 +49,8 @@ private:
   {
     const OFCondition result = Base::handleMOVEResponse(context, response, waitForNextResponse);
     this->progress.remaining = response->m_numberOfRemainingSubops;
-    if (!this->progress.GoesOn() || this->progress.isFull)
+    this->progress.GoesOn();
+    if (this->progress.IsOver())
     {
       waitForNextResponse = OFFalse;
     }
@@ -67,7 +68,8 @@ private:
     T_ASC_PresentationContextID* context, const OFString&, T_DIMSE_C_StoreRQ* request) override
   {
     const std::string file = this->progress.NextFile();
-    if (!this->progress.GoesOn() || this->progress.isFull)
+    this->progress.GoesOn();
+    if (this->progress.IsOver())
     {
       return EC_IllegalCall; // ends the association
     }
@@ -123,7 +125,10 @@ bool DimseProgress::GoesOn()
 {
   const int all = this->imageCount + this->remaining;
   const double part = all > 0 ? double(this->imageCount) / all : -1.0;
-  this->isCancelled = this->isCancelled || !this->report(part);
+  if (!this->isCancelled && !this->report(part))
+  {
+    this->isCancelled = true;
+  }
   return !this->isCancelled;
 }
 
@@ -153,13 +158,13 @@ Association::Association(
   this->Check(this->scu->negotiateAssociation());
 }
 
-// An archive that is waited for in vain gets no orderly end.
+// An archive that still sends what is not taken any more gets no orderly end.
 Association::~Association()
 {
   if (this->scu->isConnected())
   {
-    this->progress.isCancelled ? this->scu->closeAssociation(DCMSCU_ABORT_ASSOCIATION)
-                               : this->scu->closeAssociation(DCMSCU_RELEASE_ASSOCIATION);
+    this->scu->closeAssociation(
+      this->progress.IsOver() ? DCMSCU_ABORT_ASSOCIATION : DCMSCU_RELEASE_ASSOCIATION);
   }
 }
 

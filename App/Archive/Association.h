@@ -21,12 +21,15 @@ struct DimseProgress
   std::string folder = {};          ///< for images; empty if none are wanted
   std::atomic<int> imageCount{ 0 }; ///< received so far; a thread may count
   int remaining = 0;                ///< number that the archive says are still to come
-  bool isCancelled = false;
+  std::atomic<bool> isCancelled{ false };
   std::atomic<bool> isFull{ false }; ///< true if there is no space for another image
   std::size_t answerCount = 0;
 
   /// Tells the progress. @returns whether to go on
   bool GoesOn();
+
+  /// Whether no more images are taken.
+  bool IsOver() const { return this->isCancelled || this->isFull; }
 
   /// The file for the next image. Names that the archive sends are not used.
   std::string NextFile();

@@ -61,7 +61,7 @@ private:
   OFCondition generateSTORERequestFilename(const T_DIMSE_C_StoreRQ&, OFString& filename) override
   {
     filename = this->progress.NextFile().c_str();
-    return this->progress.isFull ? EC_IllegalCall : EC_Normal;
+    return this->progress.IsOver() ? EC_IllegalCall : EC_Normal; // a fault ends the association
   }
 
   std::string archiveTitle;
