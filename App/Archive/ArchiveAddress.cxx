@@ -69,7 +69,9 @@ void CheckAddress(const ArchiveAddress& address)
   }
   if (!url.password().isEmpty() || (isWeb && !url.userName().isEmpty()))
   {
-    FailOnAddress(address.url, "no name and no password in the URL", "some");
+    // The message does not repeat the password.
+    FailOnAddress(url.toDisplayString(QUrl::RemoveUserInfo).toStdString(),
+      "no name and no password in the URL", "some");
   }
   if (isWeb)
   {

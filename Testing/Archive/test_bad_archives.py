@@ -252,6 +252,7 @@ def addresses_are_checked():
             [sys.argv[1], "archive", "check", address], capture_output=True, text=True
         )
         assert answer.returncode == 2 and words in answer.stderr, answer
+        assert "secret" not in answer.stderr
 
 
 def accepted_association():
