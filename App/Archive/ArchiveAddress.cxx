@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr std::size_t LongestTitle = 16;
+constexpr std::size_t LongestUid = 64;
 
 [[noreturn]] void FailOnAddress(
   const std::string& url, const std::string& expected, const std::string& found)
@@ -95,10 +96,15 @@ void CheckAddress(const ArchiveAddress& address)
   }
 }
 
-bool IsUid(const std::string& text)
+void CheckUid(const std::string& text)
 {
-  return !text.empty() && text.size() <= LongestUid &&
+  const bool isUid = !text.empty() && text.size() <= LongestUid &&
     text.find_first_not_of("0123456789.") == std::string::npos;
+  if (!isUid)
+  {
+    throw std::runtime_error("Cannot ask for \"" + text.substr(0, LongestUid) +
+      "\": expected a UID of digits and dots, found another text.");
+  }
 }
 
 }

@@ -42,11 +42,10 @@ DimseEndpoint DimseEndpointOf(const ArchiveAddress& address);
 /// @throws std::invalid_argument with one sentence that says what is wrong
 void CheckAddress(const ArchiveAddress& address);
 
-constexpr std::size_t LongestUid = 64;
-
-/// True for a unique identifier of DICOM: digits and dots, at most 64 (PS3.5 9.1). Anything else
-/// may be a path or another request.
-bool IsUid(const std::string& text);
+/// Checks that a text is a unique identifier of DICOM: digits and dots, at most 64 (PS3.5 9.1).
+/// Any other from a forged answer may be a path, a wild card, a list or empty, which asks for all.
+/// @throws std::runtime_error with one sentence if it is none
+void CheckUid(const std::string& text);
 
 }
 

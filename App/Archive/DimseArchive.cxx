@@ -47,9 +47,11 @@ std::string TextOf(DcmDataset& dataset, const DcmTagKey& tag)
 // The study, or the series of it, that is to be fetched.
 DcmDataset Wanted(const std::string& study, const std::string& series)
 {
+  CheckUid(study);
   Words words = { { DCM_StudyInstanceUID, study } };
   if (!series.empty())
   {
+    CheckUid(series);
     words[DCM_SeriesInstanceUID] = series;
   }
   return DatasetOf(series.empty() ? "STUDY" : "SERIES", words);
@@ -210,6 +212,7 @@ std::vector<ArchiveStudy> DimseArchive::FindStudies(
 std::vector<ArchiveSeries> DimseArchive::FindSeries(
   const std::string& study, const ArchiveProgress& progress)
 {
+  CheckUid(study);
   Answers answers(this->address, "SERIES",
     { { DCM_StudyInstanceUID, study }, { DCM_SeriesInstanceUID, "" }, { DCM_SeriesNumber, "" },
       { DCM_SeriesDescription, "" }, { DCM_Modality, "" },

@@ -85,18 +85,21 @@ void AddWord(QUrlQuery& query, const QString& name, const std::string& word)
   }
 }
 
-// The path of a study or a series. A forged answer to a search could lead elsewhere.
+QString PathOf(const std::string& study)
+{
+  CheckUid(study);
+  return QString::fromStdString("/studies/" + study);
+}
+
+// The path of a series; of its study if there is none.
 QString PathOf(const std::string& study, const std::string& series)
 {
-  for (const std::string& uid : { study, series })
+  if (series.empty())
   {
-    if (!uid.empty() && !IsUid(uid))
-    {
-      throw std::runtime_error("Cannot ask for \"" + uid.substr(0, LongestUid) +
-        "\": expected a UID of digits and dots, found another text.");
-    }
+    return PathOf(study);
   }
-  return QString::fromStdString("/studies/" + study + (series.empty() ? "" : "/series/" + series));
+  CheckUid(series);
+  return PathOf(study) + QString::fromStdString("/series/" + series);
 }
 
 // Makes a sentence about the archive of a fault of its message.
@@ -168,7 +171,7 @@ std::vector<ArchiveSeries> WebArchive::FindSeries(
   QUrlQuery words;
   words.addQueryItem("includefield", "SeriesDescription");
   WebRequest request(
-    this->address, this->authorization, SearchPath(PathOf(study, {}) + "/series", words));
+    this->address, this->authorization, SearchPath(PathOf(study) + "/series", words));
   std::vector<ArchiveSeries> all;
   for (const QJsonValue& value : Search(request, progress))
   {

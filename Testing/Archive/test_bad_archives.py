@@ -255,6 +255,20 @@ def addresses_are_checked():
         assert "secret" not in answer.stderr
 
 
+def other_texts_than_uids_are_not_asked_for():
+    """A server of DIMSE takes an empty text or a wild card for all studies."""
+    nobody = 9
+    for archive in (dimse(nobody), web(nobody)):
+        for uid in ("", "*", "1.2\\1.3", "../../admin"):
+            with tempfile.TemporaryDirectory() as folder:
+                answer = subprocess.run(
+                    [sys.argv[1], "archive", "get", archive, "--study", uid, "-o", folder],
+                    capture_output=True,
+                    text=True,
+                )
+                assert answer.returncode == 1 and "expected a UID" in answer.stderr, answer
+
+
 def accepted_association():
     """A-ASSOCIATE-AC that accepts all contexts, 1, 3, 5 ..., in implicit little endian (PS3.8 9.3.3)."""
 
