@@ -187,6 +187,19 @@ TEST_F(StudyList, ForgetsAFolderWithoutATrace)
   EXPECT_FALSE(hasName());
 }
 
+TEST_F(StudyList, IsOverwrittenBeforeItIsRemoved)
+{
+  this->WriteImage("1", "DOE^JANE", "1.2.33", 0);
+  this->Update();
+  // Another name of the same bytes shows what a removed file leaves on the disk.
+  std::filesystem::create_hard_link(
+    this->folder.Path("data/list.sqlite"), this->folder.Path("data/left"));
+  ASSERT_NE(this->folder.Bytes("data/left").find("JANE"), std::string::npos);
+  this->index.RemoveAll();
+  EXPECT_FALSE(QFile::exists(this->Database()));
+  EXPECT_EQ(this->folder.Bytes("data/left").find("JANE"), std::string::npos);
+}
+
 TEST_F(StudyList, ThatIsDamagedIsASentence)
 {
   this->folder.Write("data/list.sqlite", std::string(5000, 'x'));

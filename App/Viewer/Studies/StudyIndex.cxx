@@ -317,8 +317,19 @@ void StudyIndex::Forget(const QString& folder) const
   connection.Run("DELETE FROM folders WHERE path = ?", { folder });
 }
 
+// SQLite overwrites the rows before the file is removed. A damaged file is only removed.
 void StudyIndex::RemoveAll() const
 {
+  try
+  {
+    for (const QString& folder : this->Folders())
+    {
+      this->Forget(folder);
+    }
+  }
+  catch (const std::runtime_error&)
+  {
+  }
   QFile::remove(this->file + "-journal");
   QFile database(this->file);
   if (database.exists() && !database.remove())

@@ -52,7 +52,7 @@ public:
   /// Removes a folder from the list. Its files stay.
   void Forget(const QString& folder) const;
 
-  /// Deletes the database.
+  /// Overwrites and deletes the database.
   void RemoveAll() const;
 
 private:
