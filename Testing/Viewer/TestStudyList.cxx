@@ -187,6 +187,25 @@ TEST_F(StudyList, ForgetsAFolderWithoutATrace)
   EXPECT_FALSE(hasName());
 }
 
+TEST_F(StudyList, DoesNotGetAFolderBackThatIsForgottenAsItIsRead)
+{
+  this->WriteImage("1", "DOE^JANE", "1.2.33", 0);
+  this->Update();
+  this->WriteImage("2", "DOE^JANE", "1.2.33", 1);
+  const auto forgets = [this](double part)
+  {
+    const bool isFound = part >= 0.1;
+    if (isFound)
+    {
+      this->index.Forget(this->Scans());
+    }
+    return !isFound;
+  };
+  EXPECT_THROW(this->Update(forgets), ReadCancelled);
+  EXPECT_TRUE(this->index.Folders().isEmpty());
+  EXPECT_TRUE(this->index.Series().isEmpty());
+}
+
 TEST_F(StudyList, IsOverwrittenBeforeItIsRemoved)
 {
   this->WriteImage("1", "DOE^JANE", "1.2.33", 0);

@@ -167,6 +167,7 @@ QHash<QString, FileState> KnownFiles(Connection& connection, const QString& fold
   return known;
 }
 
+// Adds a file to the list, unless its folder was forgotten meanwhile.
 void Keep(
   Connection& connection, const QString& folder, const QString& path, const DicomRecord& record)
 {
@@ -183,8 +184,10 @@ void Keep(
   {
     values.append(QString::fromStdString(*text));
   }
-  connection.Run(
-    "INSERT OR REPLACE INTO images VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", values);
+  values.append(folder);
+  connection.Run("INSERT OR REPLACE INTO images SELECT ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ? "
+                 "WHERE EXISTS (SELECT path FROM folders WHERE path = ?)",
+    values);
 }
 
 // Removes the files that are gone from the list, and returns those that are new or have changed.
@@ -285,6 +288,7 @@ void StudyIndex::Update(const QString& folder, const TaskProgress& goesOn) const
   ReadProgress reading = progress.Part(0.1, 1.0);
   std::vector<std::string> warnings;
   const auto files = FindDicomFiles(folder.toStdString(), warnings, searching);
+  reading.Report(0.0); // a cancelled thread does not bring a removed folder back
   Connection connection(this->file);
   connection.Run("INSERT OR IGNORE INTO folders VALUES (?)", { folder });
   const std::vector<std::string> changed = ForgetGone(connection, folder, files);
@@ -313,8 +317,8 @@ void StudyIndex::Update(const QString& folder, const TaskProgress& goesOn) const
 void StudyIndex::Forget(const QString& folder) const
 {
   Connection connection(this->file);
-  connection.Run("DELETE FROM images WHERE folder = ?", { folder });
   connection.Run("DELETE FROM folders WHERE path = ?", { folder });
+  connection.Run("DELETE FROM images WHERE folder = ?", { folder });
 }
 
 // SQLite overwrites the rows before the file is removed. A damaged file is only removed.
