@@ -4,6 +4,7 @@
 #include "UsageError.h"
 
 #include <QCoreApplication>
+#include <QString>
 
 #include <algorithm>
 #include <cstdlib>
@@ -84,13 +85,13 @@ bool GoesOn(double)
   return true;
 }
 
-// A text of the archive for a table on a terminal.
-std::string Cell(std::string text)
+// A text of the archive for a table on a terminal, which would obey control characters.
+std::string Cell(const std::string& text)
 {
-  const auto isControl = [](char letter)
-  { return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f; };
-  std::replace_if(text.begin(), text.end(), isControl, ' ');
-  return text;
+  QString shown = QString::fromStdString(text);
+  const auto isControl = [](QChar letter) { return letter.category() == QChar::Other_Control; };
+  std::replace_if(shown.begin(), shown.end(), isControl, QChar(' '));
+  return shown.toStdString();
 }
 
 void PrintRow(const std::vector<std::string>& cells)

@@ -6,6 +6,7 @@ Each ends in one sentence that names the archive, within the patience that it wa
 """
 
 import contextlib
+import json
 import os
 import pathlib
 import socket
@@ -267,6 +268,19 @@ def other_texts_than_uids_are_not_asked_for():
                     text=True,
                 )
                 assert answer.returncode == 1 and "expected a UID" in answer.stderr, answer
+
+
+def control_characters_do_not_reach_the_terminal():
+    """Terminals obey those below 0x20, and those of Unicode up to 0x9f."""
+    body = json.dumps([{"00081030": {"Value": ["a\x1b[2Jb\x9b2Jc\x7fd\u00e9"]}}]).encode()
+    with server(answering(page(body))) as port:
+        answer = subprocess.run(
+            [sys.argv[1], "archive", "find", web(port)],
+            capture_output=True,
+            check=True,
+            timeout=MOST_SECONDS,
+        )
+    assert answer.stdout.decode().splitlines()[1].endswith("\ta [2Jb 2Jc d\u00e9"), answer
 
 
 def accepted_association():
