@@ -171,13 +171,15 @@ TEST_F(ArchiveOnScreen, ShowsTheFaultOfADamagedAnswer)
 
 TEST_F(ArchiveOnScreen, AsksForNothingThatIsNoUid)
 {
-  this->server.Answer("/studies", Json, '[' + StudyJson("../../admin", "DOE^JANE") + ']');
+  this->server.Answer("/studies", Json, '[' + StudyJson("../<b>admin</b>", "DOE^JANE") + ']');
   this->Press("search");
   ASSERT_TRUE(this->Says("Studies: 1"));
   const int before = this->server.requests.size();
   this->Tree()->setCurrentItem(this->Tree()->topLevelItem(0));
   this->Press("open");
-  EXPECT_TRUE(this->Says("expected a UID")) << this->Status().toStdString();
+  EXPECT_TRUE(this->Says("\"../<b>admin</b>\": expected a UID")) << this->Status().toStdString();
+  EXPECT_EQ(this->window->findChild<QLabel*>("status")->textFormat(), Qt::PlainText)
+    << "a stranger's text is not markup";
   EXPECT_EQ(this->server.requests.size(), before);
 }
 

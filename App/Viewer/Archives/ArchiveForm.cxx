@@ -52,6 +52,7 @@ ArchiveForm::ArchiveForm(const NamedArchive& archive, QWidget* parent)
 {
   this->setWindowTitle(tr("Set up an archive"));
   this->resize(520, 0);
+  this->status->setTextFormat(Qt::PlainText);
   this->status->setWordWrap(true);
   this->MakeRows(this->rows);
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);

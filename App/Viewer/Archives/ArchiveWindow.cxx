@@ -88,6 +88,7 @@ ArchiveWindow::ArchiveWindow(QWidget* parent)
   this->tree->header()->resizeSection(0, 240);
   this->tree->header()->resizeSection(2, 120);
   this->status->setObjectName("status");
+  this->status->setTextFormat(Qt::PlainText);
   this->status->setWordWrap(true);
   this->cancel->setObjectName("cancel");
   this->cancel->setAutoDefault(false);

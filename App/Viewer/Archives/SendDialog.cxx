@@ -87,6 +87,7 @@ SendDialog::SendDialog(SceneModel* model, QSize pixels, QWidget* parent)
   this->identity->setToolTip(
     tr("Otherwise the image names nobody, and the archive lists it as a study of its own"));
   this->status->setObjectName("status");
+  this->status->setTextFormat(Qt::PlainText);
   this->status->setWordWrap(true);
   this->progress->setRange(0, 0);
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Close);

@@ -100,6 +100,7 @@ TagsWindow::TagsWindow(const FileSource& source, QWidget* parent)
     [this](const QString& words) { ShowMatching(this->tree, words); });
   connect(this->image, QOverload<int>::of(&QSpinBox::valueChanged), this, &TagsWindow::ReadFile);
   connect(&this->task, &BackgroundTask::Failed, this->status, &QLabel::setText);
+  this->status->setTextFormat(Qt::PlainText);
   this->status->setWordWrap(true);
   this->FindFiles(source);
 }

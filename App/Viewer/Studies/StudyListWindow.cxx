@@ -107,6 +107,7 @@ StudyListWindow::StudyListWindow(const QString& file, QWidget* parent)
   this->tree->header()->resizeSection(0, 360);
   this->tree->header()->resizeSection(2, 120);
   this->tree->setUniformRowHeights(true);
+  this->status->setTextFormat(Qt::PlainText);
   this->status->setWordWrap(true);
   this->progress->setRange(0, 100);
   this->cancel->setObjectName("cancel");
