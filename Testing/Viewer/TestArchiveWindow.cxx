@@ -161,6 +161,22 @@ TEST_F(ArchiveOnScreen, TellsASilentServerAndIsCancelled)
   EXPECT_EQ(this->Status(), "It was cancelled");
 }
 
+TEST_F(ArchiveOnScreen, FetchesOnWhileAnotherStudyIsExpanded)
+{
+  this->SearchTwoStudies();
+  this->Tree()->setCurrentItem(this->Tree()->topLevelItem(0));
+  this->Press("open");
+  const auto isFetching = [this]
+  { return this->server.requests.last().endsWith("/studies/1.2.1"); };
+  ASSERT_TRUE(QTest::qWaitFor(isFetching, MostMilliseconds)) << "of a server that does not answer";
+  QTreeWidgetItem* const other = this->Tree()->topLevelItem(1);
+  other->setExpanded(true);
+  EXPECT_FALSE(other->isExpanded());
+  EXPECT_EQ(this->Status(), "Fetching…");
+  QTest::qWait(200);
+  EXPECT_TRUE(isFetching()) << "no other request follows";
+}
+
 TEST_F(ArchiveOnScreen, ShowsTheFaultOfADamagedAnswer)
 {
   this->server.Answer("/studies", Json, "[{");

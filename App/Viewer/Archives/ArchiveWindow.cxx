@@ -116,16 +116,11 @@ void ArchiveWindow::Connect()
     [this]
     {
       this->password.reset();
-      this->task.Cancel();
+      this->Cancel();
       this->tree->clear();
     });
   connect(this->tree, &QTreeWidget::itemExpanded, this, &ArchiveWindow::ListSeries);
-  connect(this->cancel, &QPushButton::clicked, this,
-    [this]
-    {
-      this->task.Cancel();
-      this->status->setText(tr("It was cancelled"));
-    });
+  connect(this->cancel, &QPushButton::clicked, this, &ArchiveWindow::Cancel);
   connect(&this->task, &BackgroundTask::RunningChanged, this, &ArchiveWindow::ShowRunning);
   connect(&this->task, &BackgroundTask::Progress, this, &ArchiveWindow::ShowProgress);
   connect(&this->task, &BackgroundTask::Failed, this,
@@ -223,6 +218,15 @@ void ArchiveWindow::Start(const QString& activity,
   this->status->setText(activity);
 }
 
+void ArchiveWindow::Cancel()
+{
+  if (this->task.IsRunning())
+  {
+    this->task.Cancel();
+    this->status->setText(tr("It was cancelled"));
+  }
+}
+
 void ArchiveWindow::Search()
 {
   const auto found = std::make_shared<std::vector<ArchiveStudy>>();
@@ -249,6 +253,11 @@ void ArchiveWindow::ListSeries(QTreeWidgetItem* study)
 {
   if (study->childCount() > 0 || study->data(0, SeriesRole).isValid())
   {
+    return;
+  }
+  if (this->task.IsRunning())
+  {
+    study->setExpanded(false); // a look at a study ends no transfer
     return;
   }
   const QString uid = study->data(0, StudyRole).toString();

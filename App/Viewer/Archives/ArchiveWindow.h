@@ -46,6 +46,7 @@ private:
   /// Starts work with the chosen archive.
   void Start(const QString& activity, std::function<void(Archive&, const TaskProgress&)> work,
     std::function<void()> done);
+  void Cancel();
   void Search();
   void ShowStudies(const std::vector<ArchiveStudy>& studies);
   void ListSeries(QTreeWidgetItem* study);
