@@ -224,6 +224,7 @@ TEST_F(ArchiveOnScreen, IsSetUpInAForm)
   EXPECT_EQ(kept.address.ownTitle, "VARIMARCH");
   EXPECT_EQ(kept.address.returnPort, 4006);
   EXPECT_EQ(this->window->findChild<QComboBox*>("archives")->currentText(), "clinic");
+  EXPECT_EQ(ArchiveChoice().Chosen()->name, "clinic") << "also in the next window";
   const auto others = QFile::ReadGroup | QFile::ReadOther;
   EXPECT_FALSE(QFile(QSettings().fileName()).permissions() & others);
 }

@@ -45,11 +45,7 @@ ArchiveChoice::ArchiveChoice(QWidget* parent)
   connect(this->edit, &QPushButton::clicked, this, &ArchiveChoice::Edit);
   connect(this->remove, &QPushButton::clicked, this, &ArchiveChoice::Remove);
   connect(this->box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-    [this](int row)
-    {
-      QSettings().setValue(LastArchiveKey, row);
-      emit this->Changed();
-    });
+    &ArchiveChoice::KeepChoice);
   this->List(QSettings().value(LastArchiveKey).toInt());
 }
 
@@ -66,6 +62,12 @@ void ArchiveChoice::List(int chosen)
   }
   this->edit->setEnabled(!this->archives.isEmpty());
   this->remove->setEnabled(!this->archives.isEmpty());
+  this->KeepChoice();
+}
+
+void ArchiveChoice::KeepChoice()
+{
+  QSettings().setValue(LastArchiveKey, this->box->currentIndex());
   emit this->Changed();
 }
 

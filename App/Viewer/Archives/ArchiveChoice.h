@@ -29,6 +29,7 @@ signals:
 
 private:
   void List(int chosen);
+  void KeepChoice();
   void Add();
   void Edit();
   void Remove();
