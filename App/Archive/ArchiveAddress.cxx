@@ -1,5 +1,6 @@
 #include "Archive/ArchiveAddress.h"
 
+#include <QSslCertificate>
 #include <QUrl>
 
 #include <algorithm>
@@ -73,6 +74,11 @@ void CheckAddress(const ArchiveAddress& address)
     // The message does not repeat the password.
     FailOnAddress(url.toDisplayString(QUrl::RemoveUserInfo).toStdString(),
       "no name and no password in the URL", "some");
+  }
+  const QString certificate = QString::fromStdString(address.certificate);
+  if (!certificate.isEmpty() && QSslCertificate::fromPath(certificate).isEmpty())
+  {
+    FailOnAddress(address.url, "a certificate in PEM in \"" + address.certificate + '"', "none");
   }
   if (isWeb)
   {

@@ -38,7 +38,7 @@ bool IsDimse(const ArchiveAddress& address);
 /// @throws std::invalid_argument with one sentence if the URL cannot be understood
 DimseEndpoint DimseEndpointOf(const ArchiveAddress& address);
 
-/// Checks an address, without using the network.
+/// Checks an address, and the file of its certificate, without using the network.
 /// @throws std::invalid_argument with one sentence that says what is wrong
 void CheckAddress(const ArchiveAddress& address);
 

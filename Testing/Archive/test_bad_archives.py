@@ -248,9 +248,11 @@ def addresses_are_checked():
         ("dicom://PACS@host", "a port"),
         ("dicoms://PACS@host:104", "the certificate"),
         ("https://jane:secret@host/", "no password in the URL"),
+        ("https://host/ --certificate missing.crt", "a certificate in PEM in \"missing.crt\""),
+        (f"dicoms://PACS@host:104 --certificate {__file__}", "a certificate in PEM"),
     ]:
         answer = subprocess.run(
-            [sys.argv[1], "archive", "check", address], capture_output=True, text=True
+            [sys.argv[1], "archive", "check", *address.split()], capture_output=True, text=True
         )
         assert answer.returncode == 2 and words in answer.stderr, answer
         assert "secret" not in answer.stderr
