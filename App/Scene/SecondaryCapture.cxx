@@ -38,13 +38,37 @@ std::string NewUid()
   return generator.Generate();
 }
 
-std::vector<TextAttribute> TextAttributes(const std::string& derivation)
+// The patient and the study. Each must be there, but may be empty, except the UID.
+std::vector<TextAttribute> IdentityAttributes(const CaptureIdentity& identity)
+{
+  std::vector<TextAttribute> attributes = {
+    // The patient's name, identity, date of birth and sex.
+    { { 0x0010, 0x0010 }, VR::PN, "" }, { { 0x0010, 0x0020 }, VR::LO, "" },
+    { { 0x0010, 0x0030 }, VR::DA, "" }, { { 0x0010, 0x0040 }, VR::CS, "" },
+    { { 0x0020, 0x000d }, VR::UI, NewUid() }, // study
+    { { 0x0008, 0x0020 }, VR::DA, "" },       // date of the study
+    { { 0x0008, 0x0030 }, VR::TM, "" },       // time of the study
+    { { 0x0008, 0x0050 }, VR::SH, "" },       // accession number
+    { { 0x0008, 0x0090 }, VR::PN, "" },       // referring physician
+    { { 0x0020, 0x0010 }, VR::SH, "" },       // study ID
+  };
+  for (TextAttribute& attribute : attributes)
+  {
+    const auto given = identity.find(attribute.tag.GetElementTag());
+    if (given != identity.end())
+    {
+      attribute.text = given->second;
+    }
+  }
+  return attributes;
+}
+
+// The image and its series.
+std::vector<TextAttribute> ImageAttributes(const std::string& derivation)
 {
   return {
-    // SOP Common, and the study, the series and the image of their modules.
     { { 0x0008, 0x0016 }, VR::UI, "1.2.840.10008.5.1.4.1.1.7" },
     { { 0x0008, 0x0018 }, VR::UI, NewUid() },
-    { { 0x0020, 0x000d }, VR::UI, NewUid() },
     { { 0x0020, 0x000e }, VR::UI, NewUid() },
     { { 0x0008, 0x0060 }, VR::CS, "OT" },
     { { 0x0020, 0x0011 }, VR::IS, "1" },
@@ -54,43 +78,29 @@ std::vector<TextAttribute> TextAttributes(const std::string& derivation)
     { { 0x0008, 0x0064 }, VR::CS, "WSD" },
     { { 0x0018, 0x1016 }, VR::LO, "Varimarch" },
     { { 0x0028, 0x0301 }, VR::CS, "NO" },
-    // Type 2: they must be there, but may be empty. First the patient's name, identity, date of
-    // birth and sex.
-    { { 0x0010, 0x0010 }, VR::PN, "" },
-    { { 0x0010, 0x0020 }, VR::LO, "" },
-    { { 0x0010, 0x0030 }, VR::DA, "" },
-    { { 0x0010, 0x0040 }, VR::CS, "" },
-    { { 0x0008, 0x0020 }, VR::DA, "" }, // date of the study
-    { { 0x0008, 0x0030 }, VR::TM, "" }, // time of the study
-    { { 0x0008, 0x0050 }, VR::SH, "" }, // accession number
-    { { 0x0008, 0x0090 }, VR::PN, "" }, // referring physician
-    { { 0x0020, 0x0010 }, VR::SH, "" }, // study ID
-    { { 0x0020, 0x0020 }, VR::CS, "" }, // patient orientation
-    { { 0x0020, 0x0060 }, VR::CS, "" }, // laterality
+    { { 0x0020, 0x0020 }, VR::CS, "" }, // patient orientation, which may be empty
+    { { 0x0020, 0x0060 }, VR::CS, "" }, // laterality, which may be empty
     { { 0x0028, 0x0004 }, VR::CS, "RGB" },
   };
 }
 
-// The attributes that name nobody, or those of a patient.
 std::vector<TextAttribute> TextAttributes(
   const std::string& derivation, const CaptureIdentity& identity)
 {
-  std::vector<TextAttribute> attributes = TextAttributes(derivation);
+  std::vector<TextAttribute> attributes = IdentityAttributes(identity);
+  for (const TextAttribute& attribute : ImageAttributes(derivation))
+  {
+    attributes.push_back(attribute);
+  }
   if (identity.empty())
   {
     // Nothing in the image names the patient or a date.
     attributes.push_back({ { 0x0012, 0x0062 }, VR::CS, "YES" });
     attributes.push_back({ { 0x0012, 0x0063 }, VR::LO, "No attribute of the scan is copied" });
-    return attributes;
   }
-  attributes.push_back({ { 0x0008, 0x0005 }, VR::CS, "ISO_IR 192" }); // UTF-8
-  for (TextAttribute& attribute : attributes)
+  else
   {
-    const auto given = identity.find(attribute.tag.GetElementTag());
-    if (given != identity.end())
-    {
-      attribute.text = given->second;
-    }
+    attributes.push_back({ { 0x0008, 0x0005 }, VR::CS, "ISO_IR 192" }); // UTF-8
   }
   return attributes;
 }

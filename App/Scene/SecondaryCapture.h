@@ -10,7 +10,7 @@
 namespace varimarch
 {
 
-/// Attributes of a patient and a study by their tags, such as 0x00100010 for the patient's name.
+/// Attributes of an image of a patient by their tags, such as 0x00100010 for the patient's name.
 /// Texts are in UTF-8.
 using CaptureIdentity = std::map<std::uint32_t, std::string>;
 
@@ -19,7 +19,7 @@ using CaptureIdentity = std::map<std::uint32_t, std::string>;
 /// holds nothing of the scan or the patient: the patient's attributes that the standard requires
 /// are empty. With one it belongs to that patient and that study.
 /// @param derivation  how the image was made, in ASCII, at most 1024 characters
-/// @param identity  only attributes that this file has are used
+/// @param identity  only the attributes of the patient and the study are copied
 /// @returns false if the system refuses to write; errno then has its reason
 bool WriteSecondaryCapture(vtkImageData* bytePicture, const std::string& derivation,
   const std::string& path, const CaptureIdentity& identity = {});

@@ -81,5 +81,9 @@ TEST_F(Sending, NamesThePatientOnlyIfAsked)
   const QByteArray named = this->Sent(true);
   EXPECT_TRUE(named.contains("Doe^Jane"));
   EXPECT_TRUE(named.contains("ISO_IR 192"));
+  const auto hasElement = [&named](const QByteArray& tag, const QByteArray& text)
+  { return named.contains(QByteArray::fromHex(tag) + text); };
+  EXPECT_TRUE(hasElement("20000d00", QByteArray("UI\4\0001.2\0", 8))) << "the study of the scan";
+  EXPECT_TRUE(hasElement("08006000", QByteArray("CS\2\0OT", 6))) << "not the scan's modality, CT";
   EXPECT_FALSE(named.contains("No attribute of the scan is copied"));
 }

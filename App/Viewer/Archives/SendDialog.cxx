@@ -25,7 +25,7 @@ namespace varimarch
 namespace
 {
 
-// The patient and the study of a scan, from the attributes of an image of it.
+// The attributes of an image of a scan, which name the patient and the study.
 CaptureIdentity IdentityOf(const FileSource& scan, const TaskProgress& goesOn)
 {
   ReadProgress progress(goesOn);
@@ -37,15 +37,7 @@ CaptureIdentity IdentityOf(const FileSource& scan, const TaskProgress& goesOn)
     unsigned int element = 0;
     if (tag.depth == 0 && std::sscanf(tag.tag.c_str(), "(%x,%x)", &group, &element) == 2)
     {
-      // The image itself keeps its own attributes.
-      const bool isOfStudy = group == 0x0010 ||
-        (group == 0x0008 &&
-          (element == 0x0020 || element == 0x0030 || element == 0x0050 || element == 0x0090)) ||
-        (group == 0x0020 && (element == 0x000d || element == 0x0010));
-      if (isOfStudy)
-      {
-        identity[group << 16 | element] = tag.value;
-      }
+      identity[group << 16 | element] = tag.value;
     }
   }
   return identity;
