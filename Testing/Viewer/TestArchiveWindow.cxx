@@ -1,5 +1,6 @@
 // The windows of archives, operated as a user does, with a server that answers by a table.
 
+#include "Answers.h"
 #include "Archive/Archive.h"
 #include "FakeWebArchive.h"
 #include "Module/PhantomFiles.h"
@@ -12,12 +13,14 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSpinBox>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -31,6 +34,7 @@ namespace
 {
 
 const QByteArray Json = "application/dicom+json";
+const QByteArray Multipart = "multipart/related; type=\"application/dicom\"; boundary=limit";
 
 QByteArray StudyJson(const QByteArray& uid, const QByteArray& name)
 {
@@ -94,6 +98,28 @@ protected:
     ASSERT_TRUE(this->Says("Studies: 2")) << this->Status().toStdString();
   }
 
+  void ListStudyOfDate(const QByteArray& date)
+  {
+    this->server.Answer(
+      "/studies", Json, '[' + StudyJson("1.2.1", "DOE^JANE").replace("20261126", date) + ']');
+    this->Press("search");
+    ASSERT_TRUE(this->Says("Studies: 1")) << this->Status().toStdString();
+    this->Tree()->setCurrentItem(this->Tree()->topLevelItem(0));
+  }
+
+  void Keep()
+  {
+    QDir(this->disk.path()).mkpath("a/scans");
+    const Answers answers(QMessageBox::Yes, this->disk.filePath("a/scans"));
+    this->Press("keep");
+  }
+
+  QStringList KeptFolders() const
+  {
+    return QDir(this->disk.filePath("a/scans")).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
+  }
+
+  QTemporaryDir disk;
   FakeWebArchive server;
   std::unique_ptr<ArchiveWindow> window;
   QString folder;
@@ -124,8 +150,7 @@ TEST_F(ArchiveOnScreen, FindsStudiesAndTheirSeries)
 TEST_F(ArchiveOnScreen, OpensAScanThatVanishes)
 {
   this->SearchTwoStudies();
-  this->server.Answer(
-    "/studies/1.2.1", "multipart/related; type=\"application/dicom\"; boundary=limit", Images());
+  this->server.Answer("/studies/1.2.1", Multipart, Images());
   this->Tree()->setCurrentItem(this->Tree()->topLevelItem(0));
   this->Press("open");
   ASSERT_TRUE(this->Says("Fetched")) << this->Status().toStdString();
@@ -137,6 +162,26 @@ TEST_F(ArchiveOnScreen, OpensAScanThatVanishes)
   }
   this->temporary.reset();
   EXPECT_FALSE(QFile::exists(this->folder));
+}
+
+TEST_F(ArchiveOnScreen, KeepsAScanInAFolderThatTheArchiveDoesNotName)
+{
+  this->ListStudyOfDate("/../../evil");
+  this->server.Answer("/studies/1.2.1", Multipart, Images());
+  this->Keep();
+  ASSERT_TRUE(this->Says("Fetched")) << this->Status().toStdString();
+  EXPECT_FALSE(this->temporary);
+  EXPECT_EQ(this->KeptFolders(), QStringList("scan-0-1"));
+  EXPECT_EQ(QDir(this->folder).entryList(QDir::Files).size(), 3);
+}
+
+TEST_F(ArchiveOnScreen, KeepsNoPartOfAScan)
+{
+  this->ListStudyOfDate("20261126");
+  this->server.Answer("/studies/1.2.1", Multipart, Images().chopped(100));
+  this->Keep();
+  ASSERT_TRUE(this->Says("ends early")) << this->Status().toStdString();
+  EXPECT_EQ(this->KeptFolders(), QStringList());
 }
 
 TEST_F(ArchiveOnScreen, TellsASilentServerAndIsCancelled)

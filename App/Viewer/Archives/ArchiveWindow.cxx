@@ -3,8 +3,10 @@
 #include "Readers/PrivateFolder.h"
 #include "Viewer/Studies/StudyTexts.h"
 
+#include <QDate>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -14,6 +16,8 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+
+#include <stdexcept>
 
 namespace varimarch
 {
@@ -54,14 +58,60 @@ QTreeWidgetItem* SeriesItem(const QTreeWidgetItem& study, const ArchiveSeries& s
   return item;
 }
 
+// The folder that gets a scan.
+struct FetchPlace
+{
+  QString folder;
+  std::shared_ptr<const PrivateFolder> temporary; ///< null if the user keeps the folder
+};
+
+// A new folder in the user's. The archive tells the date, which may be a path.
 QString NewFolderIn(const QString& place, const QString& date)
 {
-  QString path;
-  for (int number = 1; path.isEmpty() || QDir(path).exists(); ++number)
+  const bool isDate = QDate::fromString(date, "yyyyMMdd").isValid();
+  const QString start = place + "/scan-" + (isDate ? date : "0") + '-';
+  int number = 1;
+  while (QFileInfo::exists(start + QString::number(number)))
   {
-    path = QStringLiteral("%1/scan-%2-%3").arg(place, date.isEmpty() ? "0" : date).arg(number);
+    ++number;
   }
-  return path;
+  const QString folder = start + QString::number(number);
+  if (!QDir().mkdir(folder))
+  {
+    throw std::runtime_error(ArchiveWindow::tr("The folder \"%1\" cannot be made; choose another.")
+                               .arg(folder)
+                               .toStdString());
+  }
+  return folder;
+}
+
+// Makes a folder in the user's; a private one without that.
+FetchPlace MakePlace(const QString& users, const QString& date)
+{
+  if (!users.isEmpty())
+  {
+    return { NewFolderIn(users, date), nullptr };
+  }
+  const auto temporary = std::make_shared<const PrivateFolder>();
+  return { Text(temporary->Path().string()), temporary };
+}
+
+// Keeps no part of a scan, which would look like the whole.
+void FetchInto(const FetchPlace& place, Archive& archive, const std::string& study,
+  const std::string& series, const TaskProgress& goesOn)
+{
+  try
+  {
+    archive.Fetch(study, series, place.folder.toStdString(), goesOn);
+  }
+  catch (...)
+  {
+    if (!place.temporary)
+    {
+      QDir(place.folder).removeRecursively();
+    }
+    throw;
+  }
 }
 
 }
@@ -285,22 +335,16 @@ void ArchiveWindow::ListSeries(QTreeWidgetItem* study)
 
 void ArchiveWindow::Keep()
 {
-  const QTreeWidgetItem* const item = this->tree->currentItem();
-  const QString place =
-    item ? QFileDialog::getExistingDirectory(this, tr("Keep the scan in a folder")) : QString();
-  if (!place.isEmpty())
+  const QString folder = this->tree->currentItem()
+    ? QFileDialog::getExistingDirectory(this, tr("Keep the scan in a folder"))
+    : QString();
+  if (!folder.isEmpty())
   {
-    const QString folder = NewFolderIn(place, item->data(0, DateRole).toString());
-    if (QDir().mkpath(folder))
-    {
-      this->Fetch(folder);
-      return;
-    }
-    this->status->setText(tr("The folder \"%1\" cannot be made; choose another.").arg(folder));
+    this->Fetch(folder);
   }
 }
 
-void ArchiveWindow::Fetch(const QString& folder)
+void ArchiveWindow::Fetch(const QString& users)
 {
   const QTreeWidgetItem* const item = this->tree->currentItem();
   if (!item)
@@ -308,19 +352,21 @@ void ArchiveWindow::Fetch(const QString& folder)
     this->status->setText(tr("Choose a study or a series first."));
     return;
   }
-  const std::shared_ptr<const PrivateFolder> temporary =
-    folder.isEmpty() ? std::make_shared<const PrivateFolder>() : nullptr;
-  const QString place = temporary ? Text(temporary->Path().string()) : folder;
+  const auto place = std::make_shared<FetchPlace>();
   this->Start(
     tr("Fetching…"),
     [study = item->data(0, StudyRole).toString().toStdString(),
-      series = item->data(0, SeriesRole).toString().toStdString(), place,
-      temporary](Archive& archive, const TaskProgress& goesOn)
-    { archive.Fetch(study, series, place.toStdString(), goesOn); },
-    [this, place, temporary]
+      series = item->data(0, SeriesRole).toString().toStdString(),
+      date = item->data(0, DateRole).toString(), users,
+      place](Archive& archive, const TaskProgress& goesOn)
+    {
+      *place = MakePlace(users, date);
+      FetchInto(*place, archive, study, series, goesOn);
+    },
+    [this, place]
     {
       this->status->setText(tr("Fetched"));
-      emit this->Fetched(place, temporary);
+      emit this->Fetched(place->folder, place->temporary);
     });
 }
 

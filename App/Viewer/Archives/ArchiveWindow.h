@@ -51,8 +51,8 @@ private:
   void ShowStudies(const std::vector<ArchiveStudy>& studies);
   void ListSeries(QTreeWidgetItem* study);
   void Keep();
-  /// @param folder  gets the files; empty for a private one
-  void Fetch(const QString& folder);
+  /// @param users  the user's folder in which the scan gets one; empty for a private one
+  void Fetch(const QString& users);
   void ShowRunning(bool isRunning);
   void ShowProgress(double part);
 
