@@ -9,16 +9,21 @@
 #include "Waiting.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTest>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 using namespace varimarch;
@@ -285,4 +290,24 @@ TEST_F(StudyListOnScreen, IsRemovedByOneButton)
   this->window.findChild<QPushButton*>("removeAll")->click();
   EXPECT_TRUE(this->Shows({}));
   EXPECT_FALSE(QFile::exists(this->Database()));
+}
+
+TEST_F(StudyListOnScreen, TellsThatAFolderCannotBeRemoved)
+{
+  ASSERT_TRUE(this->Shows(this->all));
+  {
+    auto other = QSqlDatabase::addDatabase("QSQLITE", "other");
+    other.setDatabaseName(this->Database());
+    ASSERT_TRUE(other.open());
+    QSqlQuery writing(other);
+    ASSERT_TRUE(writing.exec("BEGIN IMMEDIATE"));
+    auto* const folders = this->window.findChild<QMenu*>();
+    emit folders->aboutToShow();
+    folders->actions().first()->trigger();
+    const auto labels = this->window.findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
+      [](const QLabel* label) { return label->text().contains("cannot be used"); }));
+  }
+  QSqlDatabase::removeDatabase("other");
+  EXPECT_EQ(this->Shown(), this->all);
 }

@@ -27,7 +27,7 @@ struct IndexedSeries
 };
 
 /// The list of the DICOM series in folders that the user names. It is a database in a file that
-/// only its user can read, and that exists only as long as a folder is in the list. Every function
+/// only its user can read, from the first folder on until the list is removed. Every function
 /// opens the file for itself, so that a thread can update the list while another one shows it. All
 /// throw std::runtime_error with one sentence if the file cannot be used.
 class StudyIndex

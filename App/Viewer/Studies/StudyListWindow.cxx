@@ -180,16 +180,26 @@ QWidget* StudyListWindow::MakeButtons()
   return buttons;
 }
 
-void StudyListWindow::Try(const std::function<void()>& change)
+void StudyListWindow::Try(const std::function<void()>& action)
 {
   try
   {
-    change();
+    action();
   }
   catch (const std::exception& problem)
   {
     this->status->setText(QString::fromStdString(problem.what()));
   }
+}
+
+void StudyListWindow::Change(const std::function<void()>& change)
+{
+  this->Try(
+    [&]
+    {
+      change();
+      this->Show();
+    });
 }
 
 void StudyListWindow::Show()
@@ -264,8 +274,7 @@ void StudyListWindow::ListFolders()
           [this, folder]
           {
             this->task.Cancel();
-            this->Try([&] { this->index.Forget(folder); });
-            this->Show();
+            this->Change([&] { this->index.Forget(folder); });
           });
       }
     });
@@ -278,8 +287,7 @@ void StudyListWindow::RemoveAll()
   if (answer == QMessageBox::Yes)
   {
     this->task.Cancel();
-    this->Try([this] { this->index.RemoveAll(); });
-    this->Show();
+    this->Change([this] { this->index.RemoveAll(); });
   }
 }
 

@@ -45,8 +45,10 @@ private:
   void Show();
   void ShowState();
   void OpenItem(QTreeWidgetItem* item);
-  /// Runs a change of the list, and shows its failure.
-  void Try(const std::function<void()>& change);
+  /// Does something with the list, and shows its failure.
+  void Try(const std::function<void()>& action);
+  /// Changes the list, and shows it, or the failure.
+  void Change(const std::function<void()>& change);
 
   StudyIndex index;
   BackgroundTask task;
