@@ -238,6 +238,10 @@ std::string FaultText(const OFCondition& condition, double patience)
   {
     return "it has been silent for " + std::to_string(int(std::ceil(patience))) + " s";
   }
+  if (condition == DIMSE_SENDFAILED)
+  {
+    return "it has stopped receiving";
+  }
   if (condition == DUL_PEERABORTEDASSOCIATION || condition == DUL_NETWORKCLOSED)
   {
     return "it has ended the connection";

@@ -18,6 +18,8 @@ import tempfile
 import threading
 import time
 
+import dicom_file
+
 PATIENCE = 1.0
 # Much longer than the patience: the machine may be busy. A program that waits on is killed later.
 MOST_SECONDS = 30.0
@@ -125,6 +127,25 @@ def connections_that_end_are_told():
     with server(end_after_accepting) as port:
         sentence("check", dimse(port))
         sentence("find", dimse(port))
+
+
+def connections_that_end_while_a_file_is_sent_are_told():
+    size = 1024
+    image = dicom_file.ct_slice(
+        patient="", patient_id="", study="1.2", series="1.3", number=1, pixels=[0] * size**2, size=size
+    )
+
+    def end_in_the_middle(connection):
+        connection.recv(65536)
+        connection.sendall(accepted_association(dicom_file.SYNTAX.encode()))
+        connection.recv(1000)
+        connection.close()
+
+    with server(end_in_the_middle) as port, tempfile.NamedTemporaryFile() as file:
+        file.write(image)
+        file.flush()
+        told = sentence("send", dimse(port), file.name)
+        assert "it has stopped receiving" in told, told
 
 
 def silence_after_a_greeting_is_not_waited_for():
@@ -287,13 +308,13 @@ def control_characters_do_not_reach_the_terminal():
     assert answer.stdout.decode().splitlines()[1].endswith("\ta [2Jb 2Jc d\u00e9"), answer
 
 
-def accepted_association():
-    """A-ASSOCIATE-AC that accepts the first context, in implicit little endian (PS3.8 9.3.3)."""
+def accepted_association(encoding=b"1.2.840.10008.1.2"):
+    """A-ASSOCIATE-AC that accepts the first context, usually in implicit little endian (PS3.8 9.3.3)."""
 
     def item(kind, content):
         return struct.pack(">BxH", kind, len(content)) + content
 
-    syntax = item(0x40, b"1.2.840.10008.1.2")
+    syntax = item(0x40, encoding)
     context = item(0x21, bytes([1, 0, 0, 0]) + syntax)
     application = item(0x10, b"1.2.840.10008.3.1.1.1")
     user = item(0x50, item(0x51, struct.pack(">I", 16384)) + item(0x52, b"1.2.3.4"))
