@@ -318,6 +318,28 @@ TEST_F(VoxelsOnDisk, NeedMemoryForTheirBricks)
     << this->reader->GetErrorMessage();
 }
 
+// Before the thread that watches the memory had an end of its own, this test did not end.
+TEST_F(VoxelsOnDisk, CanBeReleasedWhileOthersAreRead)
+{
+  const std::string path = this->WriteTorso();
+  constexpr int Repetitions = 200;
+  for (int i = 0; i < Repetitions; ++i)
+  {
+    this->reader->Modified();
+    this->ReadTorso(path);
+    vtkNew<vtkVolumeFileReader> other;
+    other->SetFileName(path.c_str());
+    other->SetRawDimensions(this->reader->GetRawDimensions());
+    other->SetRawScalarType(VTK_SHORT);
+    other->SetMaximumHostMemory(TooLittleForTorso);
+    std::thread reading([&] { other->Update(); });
+    std::this_thread::sleep_for(std::chrono::microseconds(10 * i));
+    this->reader->GetOutput()->Initialize();
+    reading.join();
+    EXPECT_TRUE(other->HasVoxelsOnDisk());
+  }
+}
+
 std::uint64_t ResidentMemory()
 {
   unsigned long long all = 0;

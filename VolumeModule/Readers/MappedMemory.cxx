@@ -34,7 +34,6 @@ public:
     this->files.push_back({ file, MappedParts(file), mostBytes });
     if (!this->watcher.joinable())
     {
-      this->ends = false;
       this->watcher = std::thread([this] { this->Watch(); });
     }
     return file->Bytes();
@@ -81,7 +80,6 @@ private:
       const std::lock_guard<std::mutex> lock(this->mutex);
       if (this->files.empty())
       {
-        this->ends = true;
         ending.swap(this->watcher);
       }
     }
@@ -92,11 +90,13 @@ private:
     }
   }
 
+  /// Ends when this thread is no longer the watcher. A flag would not do: a file that is added
+  /// while the last one is removed starts another watcher, for which the flag would be unset again.
   void Watch()
   {
     constexpr auto Pause = std::chrono::milliseconds(10);
     std::unique_lock<std::mutex> lock(this->mutex);
-    while (!this->ends)
+    while (this->watcher.get_id() == std::this_thread::get_id())
     {
       this->DropWhatIsTooMuch();
       this->wake.wait_for(lock, Pause);
@@ -146,7 +146,6 @@ private:
   std::condition_variable wake;
   std::vector<Kept> files;
   std::thread watcher;
-  bool ends = false;
   std::uint64_t now = 0;
 };
 
