@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -42,6 +43,7 @@ void RawVoxelSource::ReadRun(std::uint64_t firstVoxel, std::uint64_t count, char
   {
     const ssize_t got = pread(this->descriptor, voxels + done, std::size_t(wanted - done),
       off_t(this->offset + firstVoxel * this->valueBytes + done));
+    // The end of the file sets no error.
     if (got == 0 || (got < 0 && errno != EINTR))
     {
       FailToRead(this->path,
