@@ -16,6 +16,12 @@ namespace varimarch
 namespace
 {
 
+/// The bits that /proc/self/pagemap has for a page, see Linux's
+/// Documentation/admin-guide/mm/pagemap.rst.
+constexpr std::uint64_t IsPresent = 1ull << 63;
+constexpr std::uint64_t IsSwapped = 1ull << 62;
+constexpr std::uint64_t IsOfFile = 1ull << 61;
+
 struct Kept
 {
   std::shared_ptr<MappedFile> file;
@@ -123,10 +129,11 @@ private:
   void Drop(std::uint64_t wantedBytes)
   {
     ++this->now;
+    const PageMap pages;
     std::vector<MappedParts::Part> all;
     for (Kept& kept : this->files)
     {
-      kept.parts.Look(this->now);
+      kept.parts.Look(pages, this->now);
       const auto& parts = kept.parts.Parts();
       std::copy_if(parts.begin(), parts.end(), std::back_inserter(all),
         [](const MappedParts::Part& part) { return part.residentBytes > 0; });
@@ -137,8 +144,13 @@ private:
     std::uint64_t dropped = 0;
     for (auto part = all.begin(); part != all.end() && dropped < wantedBytes; ++part)
     {
-      madvise(part->begin, part->byteCount, MADV_DONTNEED);
-      dropped += part->residentBytes;
+      // The part may have been written since the look at all of them, which takes a while.
+      const std::size_t bytes = pages.DroppableBytes(part->begin, part->byteCount);
+      if (bytes > 0)
+      {
+        madvise(part->begin, part->byteCount, MADV_DONTNEED);
+        dropped += bytes;
+      }
     }
   }
 
@@ -155,12 +167,6 @@ MappedFiles& AllFiles()
   static MappedFiles& files = *std::make_unique<MappedFiles>().release();
   return files;
 }
-
-/// The bits that /proc/self/pagemap has for a page, see Linux's
-/// Documentation/admin-guide/mm/pagemap.rst.
-constexpr std::uint64_t IsPresent = 1ull << 63;
-constexpr std::uint64_t IsSwapped = 1ull << 62;
-constexpr std::uint64_t IsOfFile = 1ull << 61;
 
 }
 
@@ -209,34 +215,44 @@ MappedParts::MappedParts(std::shared_ptr<MappedFile> newFile)
   }
 }
 
-// A part whose pages are not known counts as wholly resident.
-void MappedParts::Look(std::uint64_t now)
+PageMap::PageMap()
+  : descriptor(open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC))
+{
+}
+
+PageMap::~PageMap()
+{
+  if (this->descriptor >= 0)
+  {
+    close(this->descriptor);
+  }
+}
+
+std::size_t PageMap::DroppableBytes(const char* begin, std::size_t byteCount) const
 {
   const auto page = std::size_t(sysconf(_SC_PAGESIZE));
-  const int pagemap = open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC);
-  std::vector<std::uint64_t> entries(PartBytes / page);
+  std::vector<std::uint64_t> entries(byteCount / page);
+  const auto place = off_t(reinterpret_cast<std::uintptr_t>(begin) / page * sizeof(entries[0]));
+  const std::size_t wanted = entries.size() * sizeof(entries[0]);
+  if (pread(this->descriptor, entries.data(), wanted, place) != ssize_t(wanted))
+  {
+    return 0;
+  }
+  const bool isWritten = std::any_of(entries.begin(), entries.end(),
+    [](std::uint64_t entry)
+    { return (entry & (IsPresent | IsSwapped)) != 0 && (entry & IsOfFile) == 0; });
+  const auto present = std::size_t(std::count_if(
+    entries.begin(), entries.end(), [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
+  return isWritten ? 0 : page * present;
+}
+
+void MappedParts::Look(const PageMap& pages, std::uint64_t now)
+{
   for (Part& part : this->parts)
   {
-    const std::size_t count = part.byteCount / page;
-    const auto place = off_t(reinterpret_cast<std::uintptr_t>(part.begin) / page * 8);
-    const auto wanted = ssize_t(8 * count);
-    std::size_t resident = part.byteCount;
-    if (pagemap >= 0 && pread(pagemap, entries.data(), std::size_t(wanted), place) == wanted)
-    {
-      const auto end = entries.begin() + std::ptrdiff_t(count);
-      const bool isWritten = std::any_of(entries.begin(), end,
-        [](std::uint64_t entry)
-        { return (entry & (IsPresent | IsSwapped)) != 0 && (entry & IsOfFile) == 0; });
-      const auto present = std::size_t(std::count_if(
-        entries.begin(), end, [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
-      resident = isWritten ? 0 : page * present;
-    }
+    const std::size_t resident = pages.DroppableBytes(part.begin, part.byteCount);
     part.grew = resident > part.residentBytes ? now : part.grew;
     part.residentBytes = resident;
-  }
-  if (pagemap >= 0)
-  {
-    close(pagemap);
   }
 }
 
