@@ -16,12 +16,14 @@
 
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -294,6 +296,25 @@ TEST_F(VoxelsOnDisk, HaveRangesThatAreKeptUntilTheyDoNotFit)
   this->reader->Modified();
   this->ReadTorso(path);
   EXPECT_NE(this->folder.Bytes("torso.raw.varimarch-ranges"), made);
+}
+
+// The check sum is right, so that only the value itself can tell.
+TEST_F(VoxelsOnDisk, HaveNewRangesIfTheKeptOnesStateImpossibleExtremes)
+{
+  const std::string path = this->WriteTorso();
+  this->ReadTorso(path);
+  const std::string made = this->folder.Bytes("torso.raw.varimarch-ranges");
+  std::string forged = made;
+  const std::size_t begin = made.find('\n', made.find('\n') + 1) + 1;
+  const double tooLarge = 1e9;
+  std::memcpy(&forged[begin + sizeof(double)], &tooLarge, sizeof(double));
+  const std::size_t end = made.size() - sizeof(uLong);
+  const uLong sum = crc32_z(0, reinterpret_cast<const Bytef*>(&forged[begin]), end - begin);
+  std::memcpy(&forged[end], &sum, sizeof(sum));
+  this->folder.Write("torso.raw.varimarch-ranges", forged);
+  this->reader->Modified();
+  this->ReadTorso(path);
+  EXPECT_EQ(this->folder.Bytes("torso.raw.varimarch-ranges"), made);
 }
 
 TEST_F(VoxelsOnDisk, HaveRangesInTheFolderOfTheUserIfTheirOwnCannotBeWritten)

@@ -3,6 +3,7 @@
 #include "Readers/FileError.h"
 #include "Readers/RawVoxelSource.h"
 
+#include <vtkDataArray.h>
 #include <vtksys/MD5.h>
 #include <zlib.h>
 
@@ -88,16 +89,24 @@ uLong CheckSumOf(VolumeSummary& summary)
   return sum;
 }
 
+/// True for extremes that values of a type may have. Others would lead out of the counts of values.
+bool ArePossible(const std::array<double, 2>& extremes, int scalarType)
+{
+  return extremes[0] >= vtkDataArray::GetDataTypeMin(scalarType) && extremes[0] <= extremes[1] &&
+    extremes[1] <= vtkDataArray::GetDataTypeMax(scalarType);
+}
+
 /// The stored summary; null if it is of other content, or damaged.
 std::shared_ptr<VolumeSummary> Restored(
-  const std::string& path, const std::string& key, const BrickSource& source)
+  const std::string& path, const std::string& key, const RawVoxelSource& source, int scalarType)
 {
   std::ifstream file(path, std::ios::binary);
   const std::string expected = Title + key;
   std::string found(expected.size(), '\0');
   std::array<double, 2> extremes = {};
   if (!file.read(found.data(), std::streamsize(found.size())) || found != expected ||
-    !file.read(reinterpret_cast<char*>(extremes.data()), sizeof(extremes)))
+    !file.read(reinterpret_cast<char*>(extremes.data()), sizeof(extremes)) ||
+    !ArePossible(extremes, scalarType))
   {
     return nullptr;
   }
@@ -189,7 +198,7 @@ std::shared_ptr<const VolumeSummary> KeptSummary(
   const std::vector<std::string> places = PlacesOf(voxels.path);
   for (const std::string& place : places)
   {
-    if (auto summary = Restored(place, key, source))
+    if (auto summary = Restored(place, key, source, voxels.layout.scalarType))
     {
       return summary;
     }
