@@ -5,6 +5,7 @@ Usage: test_reading.py CASE
 """
 
 import pathlib
+import subprocess
 import sys
 import tempfile
 import warnings
@@ -28,6 +29,22 @@ def volumes_larger_than_memory_stay_in_their_file(folder):
     expected = varimarch.render(varimarch.read(path), **arguments)
     assert (varimarch.render(on_disk, **arguments) == expected).all()
     assert (varimarch.render(on_disk, detail="coarse", **arguments) != expected).any()
+
+
+def volumes_on_disk_leave_signals_to_the_program(folder):
+    """The signal of a page that cannot be read ends the program if another program sends it."""
+    (folder / "voxels.raw").write_bytes(bytes(24**3))
+    code = ("import os, signal, sys, varimarch\n"
+            "reader = varimarch.vtkVolumeFileReader()\n"
+            "reader.SetFileName(sys.argv[1])\n"
+            "reader.SetRawDimensions(24, 24, 24)\n"
+            "reader.SetMaximumHostMemory(20000)\n"
+            "reader.Update()\n"
+            "print(reader.HasVoxelsOnDisk(), flush=True)\n"
+            "os.kill(os.getpid(), signal.SIGBUS)\n")
+    done = subprocess.run([sys.executable, "-c", code, folder / "voxels.raw"],
+                          stdout=subprocess.PIPE, text=True)
+    assert done.stdout == "True\n" and done.returncode != 0, done
 
 
 def times_are_read_one_by_one(folder):

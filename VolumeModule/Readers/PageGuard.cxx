@@ -62,15 +62,21 @@ bool ReplacePages(GuardedPages& guard, std::uintptr_t address)
 }
 
 /// An action that ends after restoring the earlier one lets the program meet the same fault again,
-/// which then has its usual effect.
-void ActOnFault(int, siginfo_t* info, void*)
+/// which then has its usual effect. A signal that another program sent has no address, and would
+/// not come again by itself.
+void ActOnSignal(int signal, siginfo_t* info, void*)
 {
   const int errorBefore = errno;
+  const bool isFault = info->si_code > 0;
   const auto address = reinterpret_cast<std::uintptr_t>(info->si_addr);
-  GuardedPages* const guard = GuardOf(address);
+  GuardedPages* const guard = isFault ? GuardOf(address) : nullptr;
   if (!guard || !ReplacePages(*guard, address))
   {
-    sigaction(SIGBUS, &actionBefore, nullptr);
+    sigaction(signal, &actionBefore, nullptr);
+    if (!isFault)
+    {
+      raise(signal);
+    }
   }
   errno = errorBefore;
 }
@@ -79,7 +85,7 @@ void TakeOverSignal()
 {
   pageSize = std::uintptr_t(sysconf(_SC_PAGESIZE));
   struct sigaction action = {};
-  action.sa_sigaction = ActOnFault;
+  action.sa_sigaction = ActOnSignal;
   action.sa_flags = SA_SIGINFO | SA_RESTART | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
   sigaction(SIGBUS, &action, &actionBefore);
