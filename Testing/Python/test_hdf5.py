@@ -103,6 +103,22 @@ def data_sets_of_hdf5_have_the_values_of_h5py(folder):
         expect_refused(f"{path}/none", "/none")
 
 
+def hdf5_of_numbers_with_unused_bits_has_the_values_of_h5py(folder):
+    """Types of HDF5 that NumPy does not have: integers of 12 of 32 bits and of 24 bits, and halves."""
+    narrow = h5py.h5t.STD_I32LE.copy()
+    narrow.set_precision(12)
+    odd = h5py.h5t.STD_U32LE.copy()
+    odd.set_precision(24)
+    odd.set_size(3)
+    for kind, limits in ((narrow, (-2**11, 2**11)), (odd, (0, 2**24)), (h5py.h5t.IEEE_F16BE, (0, 2**11))):
+        values = numpy.random.default_rng(1).integers(*limits, (4, 5, 6), numpy.int32)
+        with h5py.File(folder / "a.h5", "w") as file:
+            space = h5py.h5s.create_simple(values.shape)
+            data = h5py.h5d.create(file.id, b"a", kind, space)
+            data.write(h5py.h5s.ALL, h5py.h5s.ALL, values)
+        assert (read(folder / "a.h5")[0] == values).all(), kind
+
+
 def bad_hdf5_is_one_sentence(folder):
     """Files that were cut, and files without a volume."""
     path = folder / "a.h5"

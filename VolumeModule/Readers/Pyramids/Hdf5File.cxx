@@ -34,6 +34,12 @@ std::vector<std::int64_t> SizeOfSpace(hid_t space)
   return { sizes.begin(), sizes.end() };
 }
 
+/// The type in memory of stored numbers. It may be smaller, since integers may leave bits unused.
+Hdf5Handle MemoryTypeOf(hid_t stored)
+{
+  return { H5Tget_native_type(stored, H5T_DIR_ASCEND), H5Tclose };
+}
+
 int ScalarTypeOf(hid_t type)
 {
   const H5T_class_t kind = H5Tget_class(type);
@@ -156,10 +162,10 @@ std::string Hdf5File::TextAttribute(const std::string& object, const std::string
   constexpr std::size_t Longest = 4096;
   const std::size_t length = H5Tget_size(type);
   const bool isText = H5Tget_class(type) == H5T_STRING && count > 0;
-  if (isText && H5Tis_variable_str(type) > 0 && count == 1)
+  if (isText && H5Tis_variable_str(type) > 0)
   {
     char* text = nullptr;
-    const bool isRead = H5Aread(attribute, type, &text) >= 0 && text;
+    const bool isRead = count == 1 && H5Aread(attribute, type, &text) >= 0 && text;
     const std::string copy = isRead ? text : "";
     H5free_memory(text);
     return copy;
@@ -216,17 +222,23 @@ Hdf5Layout LayoutOf(const Hdf5File& file, const std::string& dataSet)
   const Hdf5Handle creation(H5Dget_create_plist(data), H5Pclose);
   Hdf5Layout layout;
   layout.size = SizeOfSpace(space);
-  layout.chunk = layout.size;
-  layout.scalarType = ScalarTypeOf(type);
+  layout.scalarType = ScalarTypeOf(MemoryTypeOf(type));
   layout.storedBytes = double(H5Dget_storage_size(data));
   const bool hasChunks = H5Pget_layout(creation) == H5D_CHUNKED;
   // Chunks that were never written are not in the file.
   layout.isCompressed = hasChunks;
-  if (hasChunks && !layout.size.empty())
+  layout.neededBytes = double(H5Tget_size(type)) * double(H5Sget_simple_extent_npoints(space));
+  std::vector<hsize_t> chunk(layout.size.size(), 1);
+  if (hasChunks && !chunk.empty())
   {
-    std::vector<hsize_t> chunk(layout.size.size(), 1);
     H5Pget_chunk(creation, int(chunk.size()), chunk.data());
-    layout.chunk.assign(chunk.begin(), chunk.end());
+  }
+  layout.chunk.assign(chunk.begin(), chunk.end());
+  if (!hasChunks)
+  {
+    // Any box can be read of other data sets, so a slice is enough.
+    const std::size_t lines = layout.size.size() - std::min<std::size_t>(layout.size.size(), 2);
+    std::copy(layout.size.begin() + lines, layout.size.end(), layout.chunk.begin() + lines);
   }
   return layout;
 }
@@ -238,7 +250,7 @@ void ReadHdf5Box(const Hdf5File& file, const std::string& dataSet,
   const Hdf5Handle data(H5Dopen(file, dataSet.c_str(), H5P_DEFAULT), H5Dclose);
   const Hdf5Handle space(data >= 0 ? H5Dget_space(data) : -1, H5Sclose);
   const Hdf5Handle stored(data >= 0 ? H5Dget_type(data) : -1, H5Tclose);
-  const Hdf5Handle type(stored >= 0 ? H5Tget_native_type(stored, H5T_DIR_ASCEND) : -1, H5Tclose);
+  const Hdf5Handle type = MemoryTypeOf(stored);
   const std::vector<hsize_t> from(start.begin(), start.end());
   const std::vector<hsize_t> length(count.begin(), count.end());
   const Hdf5Handle memory(H5Screate_simple(int(length.size()), length.data(), nullptr), H5Sclose);

@@ -46,11 +46,12 @@ private:
 /// The size, chunks and type of a data set.
 struct Hdf5Layout
 {
-  std::vector<std::int64_t> size; ///< slowest first
-  std::vector<std::int64_t> chunk;
-  int scalarType = 0;        ///< a VTK type; VTK_VOID for values that are no numbers
-  double storedBytes = 0.0;  ///< bytes in the file
-  bool isCompressed = false; ///< True if the file may hold less bytes than the values need.
+  std::vector<std::int64_t> size;  ///< slowest first
+  std::vector<std::int64_t> chunk; ///< a slice if the data set is in one piece
+  int scalarType = 0;              ///< a VTK type; VTK_VOID for values that are no numbers
+  double storedBytes = 0.0;        ///< bytes in the file
+  double neededBytes = 0.0;        ///< bytes that all values need there without compression
+  bool isCompressed = false;       ///< True if the file may hold less bytes than the values need.
 };
 
 /// @throws std::runtime_error if there is no such data set

@@ -10,7 +10,7 @@
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/VoxelLayout.h"
 
-#include <vtkDataArray.h>
+#include <vtkType.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -106,22 +106,21 @@ void Hdf5Pyramid::AddLevel(const Hdf5Level& level)
       "values of another kind or " + std::to_string(rank) + " axes");
   }
   BrickSource::Level bricks = { { 1, 1, 1 }, { 1, 1, 1 }, { 1.0, 1.0, 1.0 } };
-  double stored = double(vtkDataArray::GetDataTypeSize(layout.scalarType));
   for (std::size_t axis = 0; axis < std::min<std::size_t>(rank, 3); ++axis)
   {
     const std::int64_t size = layout.size[rank - 1 - axis];
     const std::int64_t wanted = level.dimensions[axis];
     bricks.dimensions[axis] = wanted > 0 ? std::min(wanted, size) : size;
     bricks.chunk[axis] = std::min(bricks.dimensions[axis], layout.chunk[rank - 1 - axis]);
-    stored *= double(size);
     if (size < 1)
     {
       FailToRead(this->path.file, "at least one voxel in " + Quoted(level.dataSet, 80), "none");
     }
   }
-  if (!layout.isCompressed && stored > layout.storedBytes && layout.storedBytes > 0.0)
+  if (!layout.isCompressed && layout.neededBytes > layout.storedBytes && layout.storedBytes > 0.0)
   {
-    FailToRead(this->path.file, ByteText(stored) + " of voxels", ByteText(layout.storedBytes));
+    FailToRead(
+      this->path.file, ByteText(layout.neededBytes) + " of voxels", ByteText(layout.storedBytes));
   }
   this->form.scalarType = layout.scalarType;
   this->form.levels.push_back(bricks);
