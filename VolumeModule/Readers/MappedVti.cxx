@@ -6,11 +6,13 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/MappedVoxels.h"
 #include "Readers/Memory.h"
+#include "Readers/NumberText.h"
 
 #include <vtkDataArray.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <locale>
 #include <map>
@@ -114,7 +116,7 @@ std::optional<VoxelLayout> LayoutOf(const VtiHeader& header)
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    layout.dimensions[axis] = std::int64_t(extent[2 * axis + 1] - extent[2 * axis]) + 1;
+    layout.dimensions[axis] = WholeNumber(extent[2 * axis + 1] - extent[2 * axis]) + 1;
   }
   return layout;
 }
@@ -134,7 +136,8 @@ VoxelFile VoxelFileOf(
   file.paths = { path };
   file.bigEndian = AttributeOf(header.file, "byte_order") == "BigEndian";
   file.mostMemoryBytes = most;
-  const std::uint64_t place = header.appended + std::uint64_t(begin.empty() ? 0.0 : begin[0]);
+  const auto place = std::uint64_t(
+    std::int64_t(header.appended) + WholeNumber(begin.empty() ? 0.0 : std::max(0.0, begin[0])));
   std::uint64_t stated = 0;
   OpenStream(path, Compression::None, place)->Read(&stated, std::size_t(CountBytes(header)));
   const std::uint64_t expected = ByteCountOf(path, layout);
