@@ -1,6 +1,7 @@
 // OME-Zarr 0.4: https://ngff.openmicroscopy.org/0.4/
 #include "Scene/VolumeWriters/ZarrFolder.h"
 
+#include "Scene/PartFiles.h"
 #include "Scene/VolumeWriters/ZarrLevels.h"
 
 #include <nlohmann/json.hpp>
@@ -213,7 +214,7 @@ void ZarrWriting::WriteFile(const fs::path& path, const char* bytes, std::size_t
   stream.close();
   if (!stream)
   {
-    throw std::runtime_error(path.string() + ": cannot be written: " + std::strerror(errno));
+    FailToWrite(path.string());
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Decoder/Fields.h"
 #include "Readers/FileError.h"
+#include "Readers/RawVoxelSource.h"
 
 #include <vtkDataArray.h>
 
@@ -79,7 +80,7 @@ void DecodedPyramid::Read(int level, const Box& box, void* voxels) const
 {
   ReadProgress silent([](double) { return true; });
   const int type = this->form.scalarType;
-  if (this->Type() != VoxelType::Float32 || type == VTK_FLOAT)
+  if (VoxelTypeOf(type))
   {
     this->ReadStored(level, box, voxels, silent);
     return;

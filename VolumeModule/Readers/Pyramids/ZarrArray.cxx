@@ -2,6 +2,7 @@
 
 #include "Readers/FileError.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
+#include "Readers/VoxelFile.h"
 
 #include <vtkByteSwap.h>
 
@@ -28,12 +29,7 @@ std::int64_t Along(const ZarrSelection& selection, int axis, const std::vector<s
 
 void SwapToHost(bool isBigEndian, std::int64_t valueBytes, std::vector<char>& bytes)
 {
-#ifdef VTK_WORDS_BIGENDIAN
-  constexpr bool isHostBigEndian = true;
-#else
-  constexpr bool isHostBigEndian = false;
-#endif
-  if (isBigEndian != isHostBigEndian && valueBytes > 1)
+  if (isBigEndian != HostIsBigEndian && valueBytes > 1)
   {
     vtkByteSwap::SwapVoidRange(
       bytes.data(), bytes.size() / std::size_t(valueBytes), std::size_t(valueBytes));
