@@ -164,9 +164,9 @@ public:
   ///@{
   /**
    * The time to read unless the pipeline requests one, counted from 0. The file's times are the
-   * TIME_STEPS of the pipeline, in seconds if HasTimesInSeconds(), else these numbers; of a request
-   * (UPDATE_TIME_STEP, UpdateTimeStep()) the nearest is read. Only one time is in memory. Reading
-   * the times in their order unpacks a file only once. Default: 0.
+   * TIME_STEPS of the pipeline, in seconds if HasTimesInSeconds(), else these numbers. A request
+   * (UPDATE_TIME_STEP, UpdateTimeStep()) reads the time nearest to it. Only one time is in memory.
+   * Reading the times in their order unpacks a file only once. Default: 0.
    */
   void SetTimeIndex(int index);
   vtkGetMacro(TimeIndex, int);
@@ -316,8 +316,9 @@ private:
   struct Contents;
 
   /// Runs an action on the file; reports an exception that it throws as this reader's error.
-  void Fail(const std::string& sentence);
   void Try(const std::function<void(varimarch::ReadProgress&)>& action);
+  /// Sets and reports an error of the file.
+  void Fail(const std::string& sentence);
   /// Postcondition: either Read holds an image, or the error is set and reported.
   void ReadFile(int time);
   void ReadFileOrThrow(int time, varimarch::ReadProgress& progress);
