@@ -11,6 +11,7 @@ import struct
 import sys
 import tempfile
 
+from nifti_files import nifti_of_times
 from test_command_line import VOLUME, run
 
 
@@ -237,22 +238,9 @@ def on_disk(folder):
     assert "for the bricks of 48 x 40 x 32" in errors, errors
 
 
-def nifti_of_times(path, first, count, step_s):
-    """A NIfTI file of 3 x 4 x 5 bytes at several times, all as bright as its number from `first`."""
-    header = bytearray(352)
-    struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, 4, 3, 4, 5, count, 1, 1, 1)
-    struct.pack_into("<2h", header, 70, 2, 8)
-    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, step_s, 1, 1, 1)
-    struct.pack_into("<f", header, 108, 352)
-    header[123] = 2 + 8  # mm and s
-    header[344:348] = b"n+1\0"
-    path.write_bytes(header + b"".join(bytes([first + i]) * 60 for i in range(count)))
-
-
 def times(folder):
     """Chooses a time by its number or by its seconds, of one file or of several."""
-    nifti_of_times(folder / "t.nii", 10, 4, 1.5)
+    nifti_of_times(folder / "t.nii", range(10, 14), 1.5)
 
     def brightness(path, *options):
         _, notes = run("info", path, "--json", folder / "info.json", *options)
@@ -272,13 +260,8 @@ def times(folder):
 
     run("convert", folder / "t.nii", folder / "second.nii", "--time", "1")
     assert (folder / "second.nii").read_bytes()[352:] == bytes([11]) * 60
-    for key, expected in (("time", 3), ("timeSeconds", 1.4)):
-        scene = {"volume": {"file": "t.nii", key: expected}, "look": "ct-bone"}
-        (folder / "scene.json").write_text(json.dumps(scene))
-        run("render", folder / "scene.json", "-o", folder / "a.png", "--size", "16x16")
-
     for number in (9, 10, 11):
-        nifti_of_times(folder / f"v_{number}.nii", number, 1, 0)
+        nifti_of_times(folder / f"v_{number}.nii", [number])
     for number in (0, 2):
         value, volume, _ = brightness(
             folder / "v_10.nii", "--files-are-times", "--time", str(number))
@@ -289,6 +272,15 @@ def times(folder):
     assert "expected a time from 0 to 3, found the time 4" in errors, errors
     _, errors = run("info", folder / "v_10.nii", "--time", "1s", expect=1)
     assert "states its times in seconds, found a single volume" in errors, errors
+    for volume, words in (
+            ({"file": "t.nii", "time": 3}, None), ({"file": "t.nii", "timeSeconds": 1.4}, None),
+            ({"file": "t.nii", "time": 4}, "expected a time from 0 to 3, found the time 4"),
+            ({"file": "v_10.nii", "timeSeconds": 1.4}, "found a single volume"),
+            ({"file": "v_10.nii", "filesAreTimes": True, "time": 3}, "expected a time from 0 to 2")):
+        (folder / "scene.json").write_text(json.dumps({"volume": volume, "look": "ct-bone"}))
+        _, errors = run("render", folder / "scene.json", "-o", folder / "a.png", "--size", "16x16",
+                        expect=1 if words else 0)
+        assert not words or words in errors, errors
     for wrong in ("1.5", "-1", "s", "soon", "nans"):
         _, errors = run("info", folder / "t.nii", f"--time={wrong}", expect=2)
         assert f'expected the number of a time, counted from 0, or its seconds' in errors, errors

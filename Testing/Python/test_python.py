@@ -9,7 +9,6 @@ import os
 import pathlib
 import re
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
@@ -25,6 +24,8 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume, vtkVolumeProperty
+
+from nifti_files import nifti_of_times
 
 SMALL = {"size": (32, 32)}
 WHITE = {
@@ -237,25 +238,9 @@ def warnings_are_python_warnings(_folder):
     assert caught and all(str(warning.message)[0].isupper() for warning in caught), caught
 
 
-def nifti_of_times(path, count, has_place):
-    """Writes a NIfTI file of 3 x 4 x 5 voxels at several times, 2 s apart, as bright as their numbers."""
-    header = bytearray(352)
-    struct.pack_into("<i", header, 0, 348)
-    struct.pack_into("<8h", header, 40, 4, 3, 4, 5, count, 1, 1, 1)
-    struct.pack_into("<2h", header, 70, 2, 8)
-    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 2, 1, 1, 1)
-    struct.pack_into("<f", header, 108, 352)
-    header[123] = 2 + 8  # mm and s
-    struct.pack_into("<h", header, 254, int(has_place))
-    struct.pack_into("<12f", header, 280, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
-    header[344:348] = b"n+1\0"
-    path.write_bytes(header + b"".join(bytes([time]) * 60 for time in range(count)))
-    return path
-
-
 def doubts_of_the_reader_are_python_warnings(folder):
     """A NIfTI file that does not say where the patient's left is."""
-    path = nifti_of_times(folder / "one.nii", 1, has_place=False)
+    path = nifti_of_times(folder / "one.nii", [0])
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         assert varimarch.read(path).GetDimensions() == (3, 4, 5)
