@@ -277,7 +277,16 @@ TEST_F(VolumeTimes, OfMghAreRepetitions)
   this->ExpectNumbers(this->folder.Write("t.mgh", bytes));
   bytes += std::string("\x45\x0f\xc0\0", 4); // a repetition time of 2300 ms
   this->ExpectSeconds(this->folder.Write("t.mgh", bytes), { 0.0, 2.3, 4.6, 6.9 });
-  this->ExpectSeconds(this->folder.Write("t.mgz", Gzipped(bytes)), { 0.0, 2.3, 4.6, 6.9 });
+  const std::string path = this->folder.Write("t.mgz", Gzipped(bytes));
+  this->ExpectSeconds(path, { 0.0, 2.3, 4.6, 6.9 });
+  // The end of the file is not unpacked for each time.
+  this->reader->Modified();
+  this->reader->SetTimeIndex(0);
+  this->reader->Update();
+  this->folder.Write("t.mgz", Gzipped(bytes.substr(0, bytes.size() - 4) + std::string(4, 'x')));
+  this->reader->SetTimeIndex(1);
+  this->reader->Update();
+  EXPECT_NEAR(this->reader->GetTimeValue(1), 2.3, 1e-6);
 }
 
 TEST_F(VolumeTimes, OfAfniMayHaveOtherTypesAndFactors)

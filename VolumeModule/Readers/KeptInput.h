@@ -34,6 +34,10 @@ struct KeptInput
   /// The series below the path; null until they are found.
   std::unique_ptr<const DicomScan> scan;
 
+  /// The time from one volume to the next, in formats that have it behind the voxels; null until it
+  /// is read, 0 if the file does not say it.
+  std::optional<double> repetitionSeconds;
+
   /// Size of the first of several files that are times.
   std::optional<std::array<int, 3>> sizeOfFiles;
 };

@@ -108,8 +108,10 @@ Volume ReadMgh(const std::string& path, const ReadOptions& options, ReadProgress
 
   Volume volume;
   const int volumeCount = header.At<int>(16);
-  TakeTimes(path, EvenTimes(volumeCount, 0.0, RepetitionSeconds(file, layout, volumeCount)),
-    options, volume);
+  KeptInput once;
+  std::optional<double>& repetition = (options.kept ? *options.kept : once).repetitionSeconds;
+  repetition = repetition ? *repetition : RepetitionSeconds(file, layout, volumeCount);
+  TakeTimes(path, EvenTimes(volumeCount, 0.0, *repetition), options, volume);
   file.volume = options.time;
   file.kept = StreamOf(options);
   const bool hasGeometry = header.At<short>(28) != 0;
