@@ -180,6 +180,7 @@ def forged_zarr_is_one_sentence(folder):
         ("whole numbers", {"shape": "large"}),
         ("whole numbers", {"chunks": [1.5, 2, 2]}),
         ("chunks that fit", {"chunks": [2**14, 2**13, 2**13]}),
+        ("chunks that fit", {"chunks": [2**62, 2**62, 2**62], "dimension_separator": "/"}),
         ("chunks of 3 axes", {"chunks": [4, 5]}),
         ("<f2", {"dtype": "<f2"}),
         ("dtype", {"dtype": [["a", "<i2"]]}),

@@ -2,6 +2,7 @@
 
 #include "Readers/FileError.h"
 #include "Readers/Pyramids/Json.h"
+#include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>
@@ -179,6 +180,7 @@ ZarrHeader ReadZarrHeader(const std::string& folder)
   }
   TakeType(path, ValueAt(json, "dtype"), header);
   TakeFill(path, ValueAt(json, "fill_value"), header);
+  CheckedChunkBytes(path, header.chunk, std::int64_t(header.fill.size()));
   TakeCodec(path, json, header);
   const std::string order = TextIn(ValueAt(json, "order"));
   if (order != "C" && order != "F")
