@@ -1,10 +1,11 @@
 #include "Readers/Dicom/FrameTimes.h"
 
+#include "Readers/Dicom/Moment.h"
 #include "Readers/NumberText.h"
 #include "Readers/Times.h"
 
+#include <algorithm>
 #include <cmath>
-#include <ctime>
 
 namespace varimarch
 {
@@ -13,32 +14,20 @@ namespace
 
 constexpr double SecondsPerMs = 1e-3;
 
-/// A part of a text of digits as a number; 0 for anything else.
-int Digits(const std::string& text, std::size_t begin, std::size_t count)
-{
-  return begin + count <= text.size() ? int(NumberIn(text.substr(begin, count)).value_or(0.0)) : 0;
-}
-
 /// The seconds of a time such as 134501.25, or of a date and time such as 20240131134501.25; NaN
-/// for other texts (PS3.5 table 6.2-1).
+/// for other texts.
 double SecondsOfDicomTime(const std::string& text)
 {
+  constexpr std::size_t DateDigits = 8;
+  constexpr std::size_t ClockDigits = 6;
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-  const bool hasDate = digits == 14;
-  if (!hasDate && digits != 6)
+  const bool hasDate = digits == DateDigits + ClockDigits;
+  if (!hasDate && digits != ClockDigits)
   {
     return NAN;
   }
-  const std::string fraction = "0" +
-    text.substr(digits, std::min(text.find_first_not_of(".0123456789"), text.size()) - digits);
-  std::tm moment = {};
-  moment.tm_year = hasDate ? Digits(text, 0, 4) - 1900 : 70;
-  moment.tm_mon = hasDate ? Digits(text, 4, 2) - 1 : 0;
-  moment.tm_mday = hasDate ? Digits(text, 6, 2) : 1;
-  moment.tm_hour = Digits(text, digits - 6, 2);
-  moment.tm_min = Digits(text, digits - 4, 2);
-  moment.tm_sec = Digits(text, digits - 2, 2);
-  return double(timegm(&moment)) + NumberIn(fraction).value_or(0.0);
+  return hasDate ? *SecondsOfMoment(text.substr(0, DateDigits), text.substr(DateDigits))
+                 : *SecondsOfMoment("19700101", text);
 }
 
 /// Time after the R wave [s]. A text that begins with a blank is the number of a slot of nuclear

@@ -1,10 +1,10 @@
 #include "Readers/Dicom/UptakeValue.h"
 
+#include "Readers/Dicom/Moment.h"
+
 #include <vtkDICOMDictHash.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <ctime>
 #include <string>
 
 namespace varimarch
@@ -16,26 +16,6 @@ constexpr double SecondsPerDay = 86400.0;
 constexpr double LongestDecayDays = 30.0; // a longer one is an error of dates
 const vtkDICOMTag PhilipsSuvFactor(0x7053, 0x1000);
 
-/// Seconds since 1970 of "YYYYMMDD" and "HHMMSS" with an optional fraction; a shorter time lacks
-/// minutes or seconds.
-std::optional<double> SecondsOf(const std::string& date, const std::string& time)
-{
-  if (date.size() < 8 || time.size() < 2)
-  {
-    return std::nullopt;
-  }
-  const auto numberAt = [](const std::string& text, std::size_t from, std::size_t count)
-  { return from < text.size() ? std::atoi(text.substr(from, count).c_str()) : 0; };
-  std::tm moment = {};
-  moment.tm_year = numberAt(date, 0, 4) - 1900;
-  moment.tm_mon = numberAt(date, 4, 2) - 1;
-  moment.tm_mday = numberAt(date, 6, 2);
-  moment.tm_hour = numberAt(time, 0, 2);
-  moment.tm_min = numberAt(time, 2, 2);
-  const double seconds = time.size() > 4 ? std::atof(time.substr(4).c_str()) : 0.0;
-  return double(timegm(&moment)) + seconds;
-}
-
 vtkDICOMTagPath OfTracer(vtkDICOMTag tag)
 {
   return { DC::RadiopharmaceuticalInformationSequence, 0, tag };
@@ -45,9 +25,9 @@ vtkDICOMTagPath OfTracer(vtkDICOMTag tag)
 std::optional<double> DecaySeconds(const DicomAttributes& attributes)
 {
   const std::string scanDate = attributes.Text(DC::SeriesDate);
-  const auto scan = SecondsOf(scanDate, attributes.Text(DC::SeriesTime));
+  const auto scan = SecondsOfMoment(scanDate, attributes.Text(DC::SeriesTime));
   const auto acquired =
-    SecondsOf(attributes.Text(DC::AcquisitionDate), attributes.Text(DC::AcquisitionTime));
+    SecondsOfMoment(attributes.Text(DC::AcquisitionDate), attributes.Text(DC::AcquisitionTime));
   // A series that begins after its images has been computed later.
   if (!scan || !acquired || *scan > *acquired)
   {
@@ -55,8 +35,8 @@ std::optional<double> DecaySeconds(const DicomAttributes& attributes)
   }
   const std::string whole = attributes.Text(OfTracer(DC::RadiopharmaceuticalStartDateTime));
   const auto injected = whole.size() > 8
-    ? SecondsOf(whole.substr(0, 8), whole.substr(8, whole.find_first_of("+-") - 8))
-    : SecondsOf(scanDate, attributes.Text(OfTracer(DC::RadiopharmaceuticalStartTime)));
+    ? SecondsOfMoment(whole.substr(0, 8), whole.substr(8))
+    : SecondsOfMoment(scanDate, attributes.Text(OfTracer(DC::RadiopharmaceuticalStartTime)));
   if (!injected)
   {
     return std::nullopt;
