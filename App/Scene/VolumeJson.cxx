@@ -12,6 +12,10 @@ namespace
 
 constexpr int LargestVolumeSide = 1 << 20;
 
+const std::vector<std::string> fileKeys = { "file", "series", "rectified", "level", "channel",
+  "raw", "memory", "time", "timeSeconds", "filesAreTimes" };
+const std::vector<std::string> proceduralKeys = { "procedural", "size", "seed" };
+
 RawLayout RawLayoutFromJson(const JsonCursor& json)
 {
   json.RequireObject({ "dimensions", "type", "spacing", "byteOrder", "headerBytes" });
@@ -36,8 +40,7 @@ RawLayout RawLayoutFromJson(const JsonCursor& json)
 
 FileSource FileFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "rectified", "level", "channel", "raw", "memory", "time",
-    "timeSeconds", "filesAreTimes" });
+  json.RequireObject(fileKeys);
   FileSource source = { json.At("file").Text(), std::nullopt };
   if (const auto series = json.Find("series"))
   {
@@ -82,8 +85,9 @@ FileSource FileFromJson(const JsonCursor& json)
 
 VolumeSource VolumeFromJson(const JsonCursor& json)
 {
-  json.RequireObject({ "file", "series", "rectified", "level", "channel", "raw", "memory", "time",
-    "timeSeconds", "filesAreTimes", "procedural", "size", "seed" });
+  std::vector<std::string> allKeys = fileKeys;
+  allKeys.insert(allKeys.end(), proceduralKeys.begin(), proceduralKeys.end());
+  json.RequireObject(allKeys);
   if (json.Find("file"))
   {
     return FileFromJson(json);
@@ -92,7 +96,7 @@ VolumeSource VolumeFromJson(const JsonCursor& json)
   {
     json.Fail("expected the key \"file\" or \"procedural\", found neither");
   }
-  json.RequireObject({ "procedural", "size", "seed" });
+  json.RequireObject(proceduralKeys);
   ProceduralSource source;
   source.kind = json.At("procedural").Choice(ProceduralNames());
   if (const auto size = json.Find("size"))
