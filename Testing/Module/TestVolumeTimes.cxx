@@ -352,6 +352,10 @@ TEST_F(VolumeTimes, AreSoughtInSeveralFiles)
   EXPECT_NE(
     std::string(this->reader->GetErrorMessage()).find("found a single one"), std::string::npos)
     << this->reader->GetErrorMessage();
+  this->reader->SetFileName(this->folder.Path("none/v_1.nii").c_str());
+  this->reader->Update();
+  EXPECT_NE(std::string(this->reader->GetErrorMessage()).find("found no volume"), std::string::npos)
+    << this->reader->GetErrorMessage();
 }
 
 }

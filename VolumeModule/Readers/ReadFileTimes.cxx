@@ -58,7 +58,7 @@ bool IsVolumeFile(const std::string& path)
   return format && format->read != ReadPacked;
 }
 
-/// The files in the order of the numbers in their names.
+/// The files in the order of the numbers in their names; none if their folder cannot be read.
 std::vector<std::string> FilesOfTimes(const std::string& path)
 {
   const std::filesystem::path given(path);
@@ -66,13 +66,16 @@ std::vector<std::string> FilesOfTimes(const std::string& path)
   const std::filesystem::path parent = given.parent_path().empty() ? "." : given.parent_path();
   const NumberedName pattern = NumberedNameOf(given.filename().string());
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(isFolder ? given : parent))
+  std::error_code unknown;
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator entry(isFolder ? given : parent, unknown);
+       !unknown && entry != std::filesystem::directory_iterator(); entry.increment(unknown))
   {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file() && name.front() != '.' &&
-      (isFolder ? IsVolumeFile(entry.path().string()) : HasName(name, pattern)))
+    const std::string name = entry->path().filename().string();
+    if (entry->is_regular_file(ignored) && name.front() != '.' &&
+      (isFolder ? IsVolumeFile(entry->path().string()) : HasName(name, pattern)))
     {
-      files.push_back(entry.path().string());
+      files.push_back(entry->path().string());
     }
   }
   std::sort(files.begin(), files.end(),
