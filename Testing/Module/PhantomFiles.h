@@ -7,6 +7,8 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -106,6 +108,12 @@ enum class NiftiForm
 };
 std::string NiftiBytes(
   const StoredVolume& volume, NiftiForm form = NiftiForm::Affine, bool bigEndian = false);
+/// Sets a field of a header in this machine's byte order.
+template <class Value>
+void Put(std::string& bytes, std::size_t offset, Value value)
+{
+  std::memcpy(bytes.data() + offset, &value, sizeof(value));
+}
 /// The header of an Analyze 7.5 pair, as SPM99 writes it.
 /// @param spmOrigin  the voxel at the origin, counted from 1; 0 if not stated
 std::string AnalyzeHeaderBytes(const StoredVolume& volume,

@@ -47,7 +47,7 @@ protected:
     return elements;
   }
 
-  // 0 without one.
+  /// The factor; 0 if there is none.
   double FactorOf(const Elements& elements)
   {
     this->Write("pet.dcm", elements);

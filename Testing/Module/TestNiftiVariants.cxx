@@ -14,13 +14,6 @@
 namespace
 {
 
-/// Sets a field of a little-endian header.
-template <class Value>
-void Put(std::string& bytes, std::size_t offset, Value value)
-{
-  std::memcpy(bytes.data() + offset, &value, sizeof(value));
-}
-
 // Offsets from nifti1.h.
 constexpr std::size_t dimOffset = 40;
 constexpr std::size_t intentOffset = 68;

@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <map>
 
 namespace
@@ -52,12 +51,6 @@ std::vector<double> ValuesOf(vtkImageData* image)
     values.push_back(scalars->GetVariantValue(i).ToDouble());
   }
   return values;
-}
-
-template <class Number>
-void Put(std::string& bytes, std::size_t offset, Number number)
-{
-  std::memcpy(&bytes[offset], &number, sizeof(number));
 }
 
 /// A NIfTI file of 4 times, 1.5 s apart, from 3 s on.
