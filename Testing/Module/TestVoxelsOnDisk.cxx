@@ -317,6 +317,16 @@ TEST_F(VoxelsOnDisk, HaveNewRangesIfTheKeptOnesStateImpossibleExtremes)
   EXPECT_EQ(this->folder.Bytes("torso.raw.varimarch-ranges"), made);
 }
 
+TEST_F(VoxelsOnDisk, HaveRangesThatNobodyElseMayReadIfTheVoxelsAreSo)
+{
+  using std::filesystem::perms;
+  const std::string path = this->WriteTorso();
+  std::filesystem::permissions(path, perms::owner_read | perms::owner_write);
+  this->ReadTorso(path);
+  const perms ofRanges = std::filesystem::status(path + ".varimarch-ranges").permissions();
+  EXPECT_EQ(ofRanges, perms::owner_read | perms::owner_write);
+}
+
 TEST_F(VoxelsOnDisk, HaveRangesInTheFolderOfTheUserIfTheirOwnCannotBeWritten)
 {
   std::filesystem::create_directory(this->folder.Path("torso.raw.varimarch-ranges"));

@@ -7,6 +7,7 @@
 #include <vtksys/MD5.h>
 #include <zlib.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -122,10 +123,26 @@ std::shared_ptr<VolumeSummary> Restored(
   return file && sum == CheckSumOf(*summary) ? summary : nullptr;
 }
 
+/// Makes an empty file that others may read only if they may read the voxels, which it is to hold
+/// coarsely.
+void MakeFile(const std::string& path, const std::string& voxels)
+{
+  struct stat status = {};
+  const bool isForAll = stat(voxels.c_str(), &status) == 0 && (status.st_mode & S_IROTH) != 0;
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, isForAll ? 0644 : 0600);
+  if (file >= 0)
+  {
+    close(file);
+  }
+}
+
 /// Stores a summary under a name of its own first, so that nobody finds a part of it.
-bool Store(const std::string& path, const std::string& key, VolumeSummary& summary)
+/// @param voxels  the file that it is of
+bool Store(const std::string& path, const std::string& voxels, const std::string& key,
+  VolumeSummary& summary)
 {
   const std::string unfinished = path + "." + std::to_string(getpid());
+  MakeFile(unfinished, voxels);
   {
     std::ofstream file(unfinished, std::ios::binary);
     file << Title << key;
@@ -205,11 +222,11 @@ std::shared_ptr<const VolumeSummary> KeptSummary(
   }
   const auto summary = std::make_shared<VolumeSummary>(
     SummaryOf(source, voxels.mostMemoryBytes / 8, [&](double part) { progress.Report(part); }));
-  if (!Store(places.front(), key, *summary) && places.size() > 1)
+  if (!Store(places.front(), voxels.path, key, *summary) && places.size() > 1)
   {
     std::error_code ignored;
     std::filesystem::create_directories(CacheFolder(), ignored);
-    Store(places.back(), key, *summary);
+    Store(places.back(), voxels.path, key, *summary);
   }
   return summary;
 }
