@@ -105,8 +105,18 @@ std::vector<std::string> WriteChunkedVolume(
 {
   WriteFolderWhole(
     path, MayReplaceZarr, [&](const std::string& part) { WriteZarr(input, part, observer); });
+  std::vector<std::string> sentences;
   const std::string loss = LossOfZarr(input.direction);
-  return loss.empty() ? std::vector<std::string>() : std::vector<std::string>{ loss };
+  if (!loss.empty())
+  {
+    sentences.push_back(loss);
+  }
+  if (input.lacksChunks && *input.lacksChunks)
+  {
+    sentences.push_back(
+      "Chunks are missing in the file that was read; their voxels have the fill value.");
+  }
+  return sentences;
 }
 
 }

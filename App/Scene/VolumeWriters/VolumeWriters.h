@@ -39,6 +39,7 @@ std::vector<std::string> WriteVolume(const LoadedVolume& volume, const std::stri
 /// Writes a folder of OME-Zarr as WriteVolume does, of a volume that may be larger than memory.
 /// Only a folder of Zarr is replaced.
 /// @param observer  receives the part that is done, [0, 1], and returns false to cancel
+/// @returns as WriteVolume, with a sentence if the file that is read lacks chunks
 std::vector<std::string> WriteChunkedVolume(
   const ZarrInput& input, const std::string& path, const LoadObserver& observer = {});
 

@@ -7,8 +7,10 @@
 #include <glm/vec3.hpp>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -31,6 +33,8 @@ struct ZarrInput
   std::function<void(const std::array<std::int64_t, 3>& lower,
     const std::array<std::int64_t, 3>& upper, void* voxels)>
     read = {};
+  /// True once voxels were read that the file does not have; null for volumes in memory.
+  std::shared_ptr<const std::atomic<bool>> lacksChunks = nullptr;
 };
 
 /// A volume in memory, which must outlive the result.

@@ -66,10 +66,15 @@ std::optional<ZarrInput> ChunkedInput(const FileSource& source, std::vector<std:
   {
     input.windowLevel = { form.windowLevel->window, form.windowLevel->level };
   }
-  input.read = [pyramid, level](const auto& lower, const auto& upper, void* voxels)
+  const auto lacksChunks = std::make_shared<std::atomic<bool>>(false);
+  input.lacksChunks = lacksChunks;
+  input.read = [pyramid, level, lacksChunks](const auto& lower, const auto& upper, void* voxels)
   {
     ReadProgress noProgress([](double) { return true; });
-    pyramid->ReadStored(int(level), { lower, upper }, voxels, noProgress);
+    if (pyramid->ReadStored(int(level), { lower, upper }, voxels, noProgress) > 0)
+    {
+      *lacksChunks = true;
+    }
   };
   return input;
 }
