@@ -4,7 +4,9 @@
 Usage: test_reading.py CASE
 """
 
+import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -45,6 +47,27 @@ def volumes_on_disk_leave_signals_to_the_program(folder):
     done = subprocess.run([sys.executable, "-c", code, folder / "voxels.raw"],
                           stdout=subprocess.PIPE, text=True)
     assert done.stdout == "True\n" and done.returncode != 0, done
+
+
+def volumes_on_disk_are_released_by_copies_of_a_process(folder):
+    """A copy has no thread that watches the memory, and must not wait for its end."""
+    (folder / "voxels.raw").write_bytes(bytes(24**3))
+    reader = varimarch.vtkVolumeFileReader()
+    reader.SetFileName(str(folder / "voxels.raw"))
+    reader.SetRawDimensions(24, 24, 24)
+    reader.SetMaximumHostMemory(20000)
+    reader.Update()
+    assert reader.HasVoxelsOnDisk()
+    for _ in range(20):
+        copy = os.fork()
+        if copy == 0:
+            signal.alarm(10)
+            reader.GetOutput().Initialize()
+            reader.Modified()
+            reader.Update()
+            reader.GetOutput().Initialize()
+            os._exit(0)
+        assert os.waitpid(copy, 0)[1] == 0
 
 
 def times_are_read_one_by_one(folder):

@@ -1,6 +1,7 @@
 #include "Readers/MappedMemory.h"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
+#include <new>
 #include <thread>
 
 namespace varimarch
@@ -76,6 +78,21 @@ public:
     {
       kept.mostBytes = kept.file.get() == &file ? mostBytes : kept.mostBytes;
     }
+  }
+
+  /// Threads that use the files would leave them locked in a process that is forked meanwhile.
+  void PrepareFork() { this->mutex.lock(); }
+  void EndForkInParent() { this->mutex.unlock(); }
+
+  /// A process that was forked has no watcher, but remembers that of its parent.
+  void EndForkInChild()
+  {
+    if (this->watcher.joinable())
+    {
+      this->watcher.detach();
+    }
+    new (&this->wake) std::condition_variable;
+    this->mutex.unlock();
   }
 
 private:
@@ -165,6 +182,8 @@ private:
 MappedFiles& AllFiles()
 {
   static MappedFiles& files = *std::make_unique<MappedFiles>().release();
+  [[maybe_unused]] static const int forks = pthread_atfork(
+    [] { files.PrepareFork(); }, [] { files.EndForkInParent(); }, [] { files.EndForkInChild(); });
   return files;
 }
 
