@@ -1,7 +1,7 @@
 #include "Frame/VoxelsOnDisk.h"
 
 #include "Readers/MappedMemory.h"
-#include "Readers/MappedVoxels.h"
+#include "Readers/MappedScalars.h"
 
 #include "vtkDataArray.h"
 
@@ -30,7 +30,7 @@ VoxelsOnDisk::VoxelsOnDisk(const Frame& frame, vtkIdType mostBytes)
 {
   const auto take = [&](const Frame& ofVolume)
   {
-    auto file = MappedFileAt(ofVolume.voxels.scalars->GetVoidPointer(0));
+    auto file = MappedFileOf(ofVolume.voxels.scalars);
     if (file && mostBytes > 0)
     {
       SetMostBytes(*file, std::uint64_t(mostBytes));

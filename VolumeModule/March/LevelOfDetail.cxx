@@ -2,7 +2,7 @@
 
 #include "Core/Quality/LevelBound.h"
 #include "Frame/FrameBuilder.h"
-#include "Readers/MappedVoxels.h"
+#include "Readers/MappedScalars.h"
 #include "Resources/MaterialTables.h"
 #include "vtkVariationFieldVolumeMapper.h"
 

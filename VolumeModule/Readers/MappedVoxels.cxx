@@ -67,10 +67,4 @@ vtkSmartPointer<vtkImageData> MappedImage(const SummarizedVoxels& voxels, ReadPr
   return image;
 }
 
-std::shared_ptr<const VolumeSummary> SummaryOf(vtkDataArray* scalars)
-{
-  const auto file = MappedFileAt(scalars->GetVoidPointer(0));
-  return file ? file->Summary(scalars->GetMTime()) : nullptr;
-}
-
 }

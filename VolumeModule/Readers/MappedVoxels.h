@@ -8,8 +8,6 @@
 #include <memory>
 #include <string>
 
-class vtkDataArray;
-
 namespace varimarch
 {
 
@@ -25,9 +23,6 @@ std::string ObstacleToMapping(
 /// what belongs to its bricks
 /// @throws ReadCancelled
 vtkSmartPointer<vtkImageData> MappedImage(const SummarizedVoxels& voxels, ReadProgress& progress);
-
-/// The summary of scalars that stayed in their file; null for others, and once they are modified.
-std::shared_ptr<const VolumeSummary> SummaryOf(vtkDataArray* scalars);
 
 }
 
