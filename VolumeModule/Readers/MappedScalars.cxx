@@ -1,7 +1,5 @@
 #include "Readers/MappedScalars.h"
 
-#include "Readers/MappedFile.h"
-
 #include <vtkDataArray.h>
 
 namespace varimarch

@@ -1,15 +1,15 @@
 #ifndef Varimarch_Readers_MappedScalars_h
 #define Varimarch_Readers_MappedScalars_h
 
+#include "Core/Fields/VolumeSummary.h"
+#include "Readers/MappedFile.h"
+
 #include <memory>
 
 class vtkDataArray;
 
 namespace varimarch
 {
-
-class MappedFile;
-struct VolumeSummary;
 
 /// The file whose mapped voxels are these scalars; null for scalars in memory.
 std::shared_ptr<MappedFile> MappedFileOf(vtkDataArray* scalars);
