@@ -28,7 +28,7 @@ compareMappers()
 
 setUp "${packages[@]}"
 headCt=$(headCt)
-build release varimarch 4
+build release varimarch 6
 
 compareMappers head-ct "$headCt" ct-bone
 compareMappers head-t1 /usr/share/mricron/templates/ch2better.nii.gz mr-head

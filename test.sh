@@ -7,7 +7,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")"
 setUp "${packages[@]}" "${testPackages[@]}"
 VARIMARCH_HEAD_CT=$(headCt)
 export VARIMARCH_HEAD_CT
-build dev all 6
+build dev all 11
 
 step "Testing"
 report=$PWD/build/dev/tests.xml
