@@ -9,9 +9,10 @@ namespace varimarch
 std::vector<FuzzTarget> FuzzTargets()
 {
   std::vector<FuzzTarget> targets = VolumeTargets();
-  for (const std::vector<FuzzTarget>& more : { DicomTargets(), LookTargets(), SceneTargets(),
-         std::vector<FuzzTarget>{ RemoteTarget(), RawGuessTarget(), TransferFunctionTarget(),
-           FieldTarget(), PacketTarget(), RecipeTarget() } })
+  for (const std::vector<FuzzTarget>& more :
+    { DicomTargets(), LookTargets(), SceneTargets(), ArchiveTargets(),
+      std::vector<FuzzTarget>{ RemoteTarget(), RawGuessTarget(), TransferFunctionTarget(),
+        FieldTarget(), PacketTarget(), RecipeTarget() } })
   {
     targets.insert(targets.end(), more.begin(), more.end());
   }

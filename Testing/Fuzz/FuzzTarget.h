@@ -34,6 +34,8 @@ std::vector<FuzzTarget> VolumeTargets();
 std::vector<FuzzTarget> DicomTargets();
 std::vector<FuzzTarget> LookTargets();
 std::vector<FuzzTarget> SceneTargets();
+/// None without the library of archives.
+std::vector<FuzzTarget> ArchiveTargets();
 FuzzTarget RemoteTarget();
 FuzzTarget RawGuessTarget();
 FuzzTarget TransferFunctionTarget();
