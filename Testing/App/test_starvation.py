@@ -177,7 +177,7 @@ def memory(folder):
                           ["convert", scan, folder / "a.vti", "--overwrite"],
                           ["render", scan, "-o", folder / "a.png", "--size", "128x128"],
                           ["render", scan, "-o", folder / "a.png", "--renderer", "ours-shader"]):
-            for megabytes in [start + 8 * i for i in range(4)] + [start + 80 * i for i in range(1, 7)]:
+            for megabytes in [start + more for more in (0, 8, 16, 80, 240, 480)]:
                 def limit(size=megabytes * MEGABYTE):
                     resource.setrlimit(kind, (size, size))
                 for path in (folder / "a.nii.gz", folder / "a.vti", folder / "a.png"):

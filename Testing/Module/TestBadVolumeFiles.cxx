@@ -148,7 +148,7 @@ TEST(BadVolumeFiles, CutAnywhereTheyAreRefused)
   const TemporaryFolder folder;
   for (const GoodFile& file : GoodFiles())
   {
-    const std::size_t step = file.bytes.size() / 60 + 1;
+    const std::size_t step = file.bytes.size() / 25 + 1;
     for (std::size_t size = 0; size < file.bytes.size() - file.spareBytes; size += step)
     {
       SCOPED_TRACE(std::string(file.name) + " cut to " + std::to_string(size));
@@ -163,7 +163,7 @@ TEST(BadVolumeFiles, WithBytesChangedTheyAreReadOrRefused)
   std::mt19937 random(20240611);
   for (const GoodFile& file : GoodFiles())
   {
-    for (int round = 0; round < 40; ++round)
+    for (int round = 0; round < 15; ++round)
     {
       std::string bytes = file.bytes;
       for (int change = 0; change < 3; ++change)
