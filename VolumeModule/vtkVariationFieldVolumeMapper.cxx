@@ -1,6 +1,5 @@
 #include "vtkVariationFieldVolumeMapper.h"
 
-#include "Core/Quality/InteractiveQuality.h"
 #include "Frame/FrameBuilder.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
@@ -8,8 +7,7 @@
 #include "March/AccuracyWarnings.h"
 #include "March/Device/GraphicsReset.h"
 #include "March/ImageOutput.h"
-#include "March/LevelOfDetail.h"
-#include "March/RayMarcher.h"
+#include "March/MapperInternals.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
@@ -25,46 +23,11 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
-#include <functional>
 #include <new>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-struct vtkVariationFieldVolumeMapper::Internals
-{
-  // Records that another mapper has already drawn this one's volume: the first of several volumes
-  // to be rendered draws them all, back to front.
-  struct DrawnAhead
-  {
-    vtkRenderer* Renderer = nullptr;
-    vtkMTimeType Time = 0; // modification time of the renderer and its volumes at that moment
-  };
-  DrawnAhead Ahead;
-
-  static void Draw(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
-  static void DrawInOrder(
-    vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
-
-  varimarch::RayMarcher Marcher;
-  varimarch::LevelOfDetail Levels;
-  varimarch::RayMarcher* Last = &this->Marcher; ///< the one of the last frame
-
-  /// The sum of a number over the marchers of both levels.
-  template <class Number>
-  auto Sum(Number number)
-  {
-    return std::invoke(number, this->Marcher) + std::invoke(number, this->Levels.Marcher());
-  }
-
-  std::string ReportedError; ///< the last error that was reported, so that it is not repeated
-  std::string ReportedWarning;
-  varimarch::InteractiveQuality Quality;
-
-  void DrawInTime(
-    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame);
-};
 
 // Draws at the quality that the allocated time permits, or at full quality if nobody interacts.
 void vtkVariationFieldVolumeMapper::Internals::DrawInTime(

@@ -13,7 +13,7 @@
 namespace varimarch
 {
 
-void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& quality)
+MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQuality>& quality)
 {
   this->EnterWindow(frame.view.window);
   MarchPlan plan = PlanOf(frame, quality);
@@ -25,7 +25,26 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   {
     this->shaders.ReleaseBlocks(frame.view.window);
   }
-  this->ChooseSteps(frame, plan);
+  return plan;
+}
+
+std::optional<CommonSteps> RayMarcher::FindSteps(const Frame& frame)
+{
+  MarchPlan plan = this->Prepare(frame, {});
+  this->SearchSteps(frame, plan);
+  if (!this->tolerance.Choice())
+  {
+    return std::nullopt;
+  }
+  return CommonSteps{ plan.sampleDistanceMm, plan.integration == Integration::PreIntegrated };
+}
+
+void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& quality)
+{
+  MarchPlan plan = this->Prepare(frame, quality);
+  // While somebody interacts, a volume has steps of its own.
+  this->commonSteps && !plan.isInteractive ? this->TakeCommonSteps(frame, plan)
+                                           : this->SearchSteps(frame, plan);
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
   this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
@@ -68,8 +87,19 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
     std::max(plan.sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
 }
 
+void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan) const
+{
+  if (plan.choosesIntegration)
+  {
+    plan.integration =
+      this->commonSteps->isPreIntegrated ? Integration::PreIntegrated : Integration::Midpoint;
+  }
+  plan.sampleDistanceMm =
+    std::max(this->commonSteps->sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
+}
+
 // If there is a tolerance, the steps that keep it replace the requested ones.
-void RayMarcher::ChooseSteps(const Frame& frame, MarchPlan& plan)
+void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
 {
   if (!(plan.budget.StepTolerance() > 0.0))
   {

@@ -24,6 +24,13 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
+/// Steps that several volumes share, each of which is a part of a larger one.
+struct CommonSteps
+{
+  double sampleDistanceMm;
+  bool isPreIntegrated; ///< True for pre-integration, false for midpoints, if a trial may choose.
+};
+
 /// Draws frames: updates the resources of a frame, plans its march, and passes both to the marcher
 /// and to the pass that makes the image. Owns everything that takes graphics memory.
 class RayMarcher
@@ -32,6 +39,10 @@ public:
   /// @param quality  the quality of the image while a user interacts; none for a still image
   /// @throws std::runtime_error if the device cannot hold a resource or compile the shader
   void Draw(const Frame& frame, const std::optional<PictureQuality>& quality = {});
+  /// The steps that keep the tolerance of a frame; none if it has no tolerance.
+  std::optional<CommonSteps> FindSteps(const Frame& frame);
+  /// Sets the steps of images that are not interactive; none: those of a search.
+  void SetCommonSteps(const std::optional<CommonSteps>& steps) { this->commonSteps = steps; }
 
   /// The pixels of the images of colours and depths that were drawn last; empty if there are none.
   const Viewport& ImagePixels() const { return this->passes.ImagePixels(); }
@@ -79,9 +90,12 @@ public:
   std::size_t GraphicsMemoryBytes() const;
 
 private:
+  /// Updates the resources of a frame, and plans its march.
+  MarchPlan Prepare(const Frame& frame, const std::optional<PictureQuality>& quality);
   void EnterWindow(vtkOpenGLRenderWindow* window);
   void ChooseMarcher(const Frame& frame, MarchPlan& plan);
-  void ChooseSteps(const Frame& frame, MarchPlan& plan);
+  void SearchSteps(const Frame& frame, MarchPlan& plan);
+  void TakeCommonSteps(const Frame& frame, MarchPlan& plan) const;
   ToleranceInputs ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const;
   void DrawImage(const Frame& frame, const MarchPlan& plan);
   FrameMarcher& MarcherOf(const MarchPlan& plan);
@@ -93,6 +107,7 @@ private:
   ShaderMarcher shaders{ resources, boxes, [this] { return this->MemoryOfImages(); } };
   PacketMarcher packets{ resources, boxes };
   ToleranceSearch tolerance;
+  std::optional<CommonSteps> commonSteps;
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };

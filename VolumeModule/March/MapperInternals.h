@@ -1,0 +1,47 @@
+#ifndef Varimarch_March_MapperInternals_h
+#define Varimarch_March_MapperInternals_h
+
+#include "Core/Quality/InteractiveQuality.h"
+#include "March/LevelOfDetail.h"
+#include "March/RayMarcher.h"
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include <functional>
+#include <string>
+
+/// The parts of a mapper that its public header does not show.
+struct vtkVariationFieldVolumeMapper::Internals
+{
+  // Records that another mapper has already drawn this one's volume: the first of several volumes
+  // to be rendered draws them all, back to front.
+  struct DrawnAhead
+  {
+    vtkRenderer* Renderer = nullptr;
+    vtkMTimeType Time = 0; // modification time of the renderer and its volumes at that moment
+  };
+  DrawnAhead Ahead;
+
+  static void Draw(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+  static void DrawInOrder(
+    vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+  varimarch::RayMarcher Marcher;
+  varimarch::LevelOfDetail Levels;
+  varimarch::RayMarcher* Last = &this->Marcher; ///< the one of the last frame
+
+  /// The sum of a number over the marchers of both levels.
+  template <class Number>
+  auto Sum(Number number)
+  {
+    return std::invoke(number, this->Marcher) + std::invoke(number, this->Levels.Marcher());
+  }
+
+  std::string ReportedError; ///< the last error that was reported, so that it is not repeated
+  std::string ReportedWarning;
+  varimarch::InteractiveQuality Quality;
+
+  void DrawInTime(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame);
+};
+
+#endif
