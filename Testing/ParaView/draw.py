@@ -21,6 +21,19 @@ REFERENCES = pathlib.Path(__file__).resolve().parents[2] / "Data" / "References"
 SIZE = 256
 LIT = {"Ambient": 0.2, "Diffuse": 0.8, "Specular": 0.2, "SpecularPower": 16.0}
 CASES = {}
+# The script of a filter that makes a rectilinear grid of an image, or of a piece of it.
+UNEVEN = """
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+image, grid = self.GetInputDataObject(0, 0), self.GetOutputDataObject(0)
+extent = image.GetExtent()
+grid.SetExtent(extent)
+for axis, name in enumerate("XYZ"):
+    places = vtkDoubleArray()
+    for i in range(extent[2 * axis], extent[2 * axis + 1] + 1):
+        places.InsertNextValue(i + 0.004 * i * abs(i))
+    getattr(grid, f"Set{name}Coordinates")(places)
+grid.GetPointData().ShallowCopy(image.GetPointData())
+"""
 
 
 def case(function):
@@ -163,6 +176,41 @@ def cells(stage):
     display = stage.show(moved, "RTData", [(0.0, 0.1, 0.2, 0.9), (280.0, 1.0, 0.2, 0.1)],
                          [(0.0, 0.0), (120.0, 0.0), (280.0, 0.2)])
     display.ColorArrayName = ["CELLS", "RTData"]
+
+
+def of_wavelet(stage, filtered):
+    """The volume of wavelet() behind a filter."""
+    source, _ = wavelet(stage)
+    simple.Hide(source, stage.view)
+    stage.show(filtered(source), "RTData", [(0.0, 0.1, 0.2, 0.9), (280.0, 1.0, 0.2, 0.1)],
+               [(0.0, 0.0), (120.0, 0.0), (280.0, 0.2)])
+
+
+@case
+def uneven(stage):
+    """A rectilinear grid."""
+    of_wavelet(stage, lambda source: simple.ProgrammableFilter(
+        Input=source, OutputDataSetType="vtkRectilinearGrid", Script=UNEVEN))
+    stage.look([150.0, -210.0, 100.0], [0.0, 0.0, 0.0])
+
+
+@case
+def block(stage):
+    """An image in a multi-block data set."""
+    of_wavelet(stage, lambda source: simple.GroupDatasets(Input=[source]))
+
+
+@case
+def partition(stage):
+    """An image in a partitioned data set, of which each process has a part."""
+    of_wavelet(stage, lambda source: simple.GroupDatasets(
+        Input=[source], OutputType="vtkPartitionedDataSet"))
+
+
+@case
+def blocks(stage):
+    """Two images in a multi-block data set."""
+    of_wavelet(stage, lambda source: simple.GroupDatasets(Input=[source, simple.Wavelet()]))
 
 
 @case

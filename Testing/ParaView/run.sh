@@ -18,7 +18,8 @@ pictures=$PWD/build/paraview-test
 report=$pictures/report.md
 ranks=("${@:-2 4 8}")
 read -ra ranks <<<"${ranks[*]}"
-cases=(composite behind lit opaque turned oblique cropped geometry inside two cells cell)
+cases=(composite behind lit opaque turned oblique cropped geometry inside two cells uneven block partition
+  cell)
 # Scenes of Data/References with a light at the eye, or with none.
 references=(torso-soft torso-soft-lit torso-parallel shells-thin-peak)
 # Least ratio of the pictures of several processes to that of one [dB]. ParaView composites parts in
@@ -177,10 +178,13 @@ testTimes()
   row "|---:|---:|---:|"
   for count in 1 "${ranks[@]}"
   do
-    VARIMARCH_FRAMES=15 draw "$count" "Volume (Varimarch)" "times-ours-$count" composite
+    PARAVIEW_LOG_RENDERING_VERBOSITY=INFO VARIMARCH_FRAMES=15 \
+      draw "$count" "Volume (Varimarch)" "times-ours-$count" composite
     VARIMARCH_FRAMES=15 draw "$count" "Volume" "times-stock-$count" composite
     row "| $count | $(frameTime "times-ours-$count") | $(frameTime "times-stock-$count") |"
   done
+  row ""
+  /usr/bin/python3 Testing/ParaView/scaling.py times "${ranks[@]/#/$pictures/times-ours-}" | tee -a "$report"
 }
 
 # A process that is killed while all draw must end the others, with a message of mpiexec.
@@ -215,9 +219,10 @@ expectMessage()
 testRefusals()
 {
   step "Requests that several processes cannot meet, and a plugin for another VTK"
-  draw 2 "Volume (Varimarch)" refused maximum shadows
+  draw 2 "Volume (Varimarch)" refused maximum shadows blocks
   expectMessage "needs the whole ray" "$pictures/refused/log"
   expectMessage "Shadows are on" "$pictures/refused/log"
+  expectMessage "The input has 2 images and rectilinear grids" "$pictures/refused/log"
   local other
   other=$(find build/*/lib/varimarch/plugins/vtk-9.1 -name varimarch.so 2>/dev/null | head -n 1)
   [ -n "$other" ] || { echo "Skipped: no plugin for VTK 9.1 in build; build the preset release"; return; }

@@ -1,12 +1,15 @@
 #include "OwnedPart.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
 
 namespace varimarch
 {
@@ -40,6 +43,18 @@ void KeepFlags(vtkDataSetAttributes* attributes, unsigned char mask)
   }
 }
 
+}
+
+std::vector<vtkDataSet*> GridsIn(vtkDataObject* data)
+{
+  std::vector<vtkDataSet*> grids = vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
+  const auto isNone = [](vtkDataSet* part)
+  {
+    return part->GetNumberOfPoints() == 0 ||
+      !(part->IsA("vtkImageData") || part->IsA("vtkRectilinearGrid"));
+  };
+  grids.erase(std::remove_if(grids.begin(), grids.end(), isNone), grids.end());
+  return grids;
 }
 
 bool IsAxisAligned(vtkImageData* image)

@@ -6,6 +6,9 @@
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkBoundingBox.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
+#include "vtkCommunicator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -15,12 +18,17 @@
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPVLogger.h"
 #include "vtkPVRenderView.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVariationFieldVolumeMapper.h"
+#include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace
 {
@@ -152,6 +160,10 @@ int vtkVarimarchVolumeRepresentation::RequestUpdateExtent(
   for (int i = 0; HasSeveralProcesses() && i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
     vtkInformation* const input = inputs[0]->GetInformationObject(i);
+    if (vtkRectilinearGrid::GetData(input))
+    {
+      continue; // ParaView crops images to the cells of a process, but not these grids
+    }
     vtkInformationIntegerKey* const levels =
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
     // Gradients at the faces of the part need the voxels behind them.
@@ -160,14 +172,42 @@ int vtkVarimarchVolumeRepresentation::RequestUpdateExtent(
   return result;
 }
 
-// ParaView's representation crops the image to the cells that this process owns. This one keeps the
-// image, and crops what is drawn.
+// Without a data set of several parts among the types, the pipeline would give its parts one after
+// the other, and the last would be drawn.
+int vtkVarimarchVolumeRepresentation::FillInputPortInformation(
+  int port, vtkInformation* information)
+{
+  const int result = this->Superclass::FillInputPortInformation(port, information);
+  information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return result;
+}
+
+// Gives ParaView's representation the one grid that this process has, or none, in place of a data
+// set of several parts. That representation crops an image to the cells that this process owns.
+// This one keeps the image, and crops what is drawn.
 int vtkVarimarchVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const int result = this->Superclass::RequestData(request, inputs, outputs);
-  auto* const image =
-    inputs[0]->GetNumberOfInformationObjects() == 1 ? vtkImageData::GetData(inputs[0], 0) : nullptr;
+  vtkNew<vtkInformationVector> grids;
+  vtkInformationVector* inputsOfOne[] = { inputs[0] };
+  auto* const parts = inputs[0]->GetNumberOfInformationObjects() == 1
+    ? vtkCompositeDataSet::GetData(inputs[0], 0)
+    : nullptr;
+  this->HasParts = parts != nullptr;
+  if (parts)
+  {
+    const std::vector<vtkDataSet*> found = varimarch::GridsIn(parts);
+    this->Grids = found.size();
+    vtkNew<vtkImageData> none;
+    vtkNew<vtkInformation> information;
+    information->Set(vtkDataObject::DATA_OBJECT(), found.size() == 1 ? found.front() : none.Get());
+    grids->Append(information);
+    inputsOfOne[0] = grids;
+  }
+  const int result = this->Superclass::RequestData(request, inputsOfOne, outputs);
+  auto* const image = inputsOfOne[0]->GetNumberOfInformationObjects() == 1
+    ? vtkImageData::GetData(inputsOfOne[0], 0)
+    : nullptr;
   this->HasNeighbours = image && image->HasAnyGhostCells() && varimarch::IsAxisAligned(image) &&
     !this->UseSeparateOpacityArray;
   if (this->HasNeighbours)
@@ -232,6 +272,60 @@ void vtkVarimarchVolumeRepresentation::ChooseScalars()
   this->Mapper->SelectScalarArray(name.c_str());
 }
 
+// Lets all processes use the shortest steps that any of them needs. ParaView begins to render on
+// all of them, also on those that then draw nothing, so that none waits for another in vain.
+void vtkVarimarchVolumeRepresentation::AgreeOnSteps(vtkObject* caller, unsigned long, void*)
+{
+  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
+  if (!HasSeveralProcesses() || !this->GetVisibility() || !view ||
+    !view->GetUseDistributedRenderingForRender())
+  {
+    return;
+  }
+  auto* const renderer = vtkRenderer::SafeDownCast(caller);
+  vtkDataSet* const data = this->Mapper->GetDataSetInput();
+  constexpr double Unlimited = VTK_DOUBLE_MAX;
+  double distance = Unlimited;
+  bool preIntegration = false;
+  if (this->Actor->GetVisibility() && data && data->GetNumberOfPoints() > 0)
+  {
+    this->Part->SetMapper(this->Mapper);
+    this->Part->SetProperty(this->Property);
+    this->Part->SetUserMatrix(this->Actor->GetMatrix());
+    this->Part->SetAllocatedRenderTime(renderer->GetAllocatedRenderTime(), renderer);
+    this->Mapper->FindSteps(renderer, this->Part, distance, preIntegration);
+  }
+  // The least of both numbers of all processes; the second is -1 if any of them pre-integrates.
+  const double own[] = { distance, preIntegration ? -1.0 : 0.0 };
+  double least[2];
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    own, least, 2, vtkCommunicator::MIN_OP);
+  this->Mapper->SetCommonSteps(least[0] < Unlimited ? least[0] : 0.0, least[1] < 0.0);
+  vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "Varimarch: own steps %g, common steps %g%s", own[0],
+    least[0], least[1] < 0.0 ? ", pre-integrated" : "");
+}
+
+bool vtkVarimarchVolumeRepresentation::AddToView(vtkView* view)
+{
+  if (auto* const renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    // After the observers that synchronize the cameras of processes.
+    constexpr float Last = -1.0F;
+    this->Observer = renderView->GetRenderer()->AddObserver(
+      vtkCommand::StartEvent, this, &vtkVarimarchVolumeRepresentation::AgreeOnSteps, Last);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkVarimarchVolumeRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* const renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->GetRenderer()->RemoveObserver(this->Observer);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
 // A sentence that says why this process cannot draw its part; empty if it can.
 std::string vtkVarimarchVolumeRepresentation::Problem()
 {
@@ -247,12 +341,16 @@ std::string vtkVarimarchVolumeRepresentation::Problem()
            "and "
            "a light: expected shadows off, or one process";
   }
-  // A client has an empty object of some type in place of the server's data.
-  if (this->Cache && !vtkDataSet::SafeDownCast(this->Cache) &&
-    this->Cache->GetNumberOfElements(vtkDataObject::POINT) > 0)
+  if (this->HasParts && this->Grids > 1)
   {
-    return std::string("The input is a ") + this->Cache->GetClassName() +
-      ": expected one image or rectilinear grid; ParaView's \"Volume\" draws several";
+    return "The input has " + std::to_string(this->Grids) +
+      " images and rectilinear grids in this process: expected one; extract one of them, or choose "
+      "ParaView's \"Volume\"";
+  }
+  if (this->HasParts && this->Cropping && HasSeveralProcesses())
+  {
+    return "Cropping is on, but a process does not know the whole of which its image is a part: "
+           "expected no cropping, one process, or an image that a reader has divided";
   }
   return std::string();
 }
