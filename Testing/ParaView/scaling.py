@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Times of the processes that draw in ParaView, and a model of more of them.
 
-Usage: scaling.py times FOLDER...  the medians of each process, from the logs of pvbatch [ms]
+Usage: scaling.py times FOLDER...  the least times of each process, from logs of pvbatch [ms]
        scaling.py model            the time of an image on 1 to 1,024 processes
        scaling.py rounding         the error of parts that are composited in 8 bits
 
@@ -10,27 +10,29 @@ A process has a brick of 1/p of the volume, which covers P / p^(2/3) pixels and 
 ray. IceT's compositing exchanges halves of the image in log2(p) rounds and collects the result at one
 process:
 
-  march      = a N P / p + r W             a per voxel of a ray, r per pixel of the window W (read back)
-  composite  = (b + 4 / B) c(p) + log2(p) L        b per blended pixel, B bytes per second, L latency
+  march      = a N P / p + r W                 a per voxel of a ray, r per pixel of the window W
+  composite  = (b + 4 / B) c(p) + log2(p) L    b per blended pixel, B bytes per second, L latency
   collect    = 4 W / B + L
   c(p)       = P / p^(2/3) sum over k = 1 .. log2(p) of 2^(2 k / 3) / 2^k
 
-In round k a process holds a part of the image that 2^k bricks have drawn, and of it 1 / 2^k.
+In round k a process holds a part of the image that 2^k bricks have drawn, and of it 1 / 2^k. A process
+takes the picture of its brick to the graphics memory and back, r W, whatever the size of the brick.
 """
 
 import collections
 import math
 import pathlib
 import re
-import statistics
 import sys
 
 import numpy
 
-# Measured on one core with Testing/ParaView/run.sh (Documentation/Reports/ParaView.md).
-SECONDS_PER_VOXEL_OF_A_RAY = 3.0e-9
-SECONDS_PER_READ_PIXEL = 1.0e-9
-SECONDS_PER_BLENDED_PIXEL = 5.0e-9
+# From the least times of "composite" on 2 and 8 processes in Documentation/Reports/ParaView.md, 81
+# voxels along an axis, 38,600 of 65,536 pixels: march and read take 3.5 ms and 2.2 ms, compressing
+# and blending 0.12 ms and less.
+SECONDS_PER_VOXEL_OF_A_RAY = (3.5e-3 - 2.2e-3) / (1 / 2 - 1 / 8) / (81 * 38_600)
+SECONDS_PER_READ_PIXEL = (2.2e-3 - (3.5e-3 - 2.2e-3) / (1 / 2 - 1 / 8) / 8) / 65_536
+SECONDS_PER_BLENDED_PIXEL = 0.1e-3 / 65_536 + 0.02e-3 / 20_000
 # Networks that are assumed: bytes per second, and seconds until a message arrives.
 NETWORKS = {"1 Gbit/s Ethernet": (1.17e8, 5e-5), "100 Gbit/s InfiniBand": (1.2e10, 2e-6)}
 WINDOW = 1920 * 1080
@@ -50,7 +52,7 @@ def times(folders):
             found[int(process)][name].append(float(seconds))
         for process, named in sorted(found.items()):
             medians = [
-                f"{1000 * statistics.median(named[name]):.2f}"
+                f"{1000 * min(named[name]):.2f}"
                 for name in ("RENDER", "COMPOSITE", "BLEND", "COMPRESS", "COLLECT")
             ]
             print("|", " | ".join([str(len(found)), str(process), *medians]), "|")
@@ -66,13 +68,14 @@ def frame_seconds(voxels, processes, network):
     bandwidth, latency = network
     pixels = COVERED * WINDOW
     march = SECONDS_PER_VOXEL_OF_A_RAY * voxels * pixels / processes
+    march += SECONDS_PER_READ_PIXEL * WINDOW
     if processes == 1:
         return march, 0.0
     exchanged = exchanged_pixels(pixels, processes)
     composite = (SECONDS_PER_BLENDED_PIXEL + 4 / bandwidth) * exchanged
     composite += math.log2(processes) * latency
     collect = 4 * WINDOW / bandwidth + latency
-    return march + SECONDS_PER_READ_PIXEL * WINDOW, composite + collect
+    return march, composite + collect
 
 
 def model():
