@@ -1,9 +1,9 @@
 // Whole images of scenes that have a closed form.
 
+#include "App/AnalyticPictures.h"
 #include "Core/Quality/ImageError.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/ReferencePicture.h"
-#include "Support/AnalyticPictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Support/AnalyticPictures.h"
+#include "App/AnalyticPictures.h"
 
 #include "Scene/ReferenceRequest.h"
 
