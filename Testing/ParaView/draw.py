@@ -182,8 +182,8 @@ def of_wavelet(stage, filtered):
     """The volume of wavelet() behind a filter."""
     source, _ = wavelet(stage)
     simple.Hide(source, stage.view)
-    stage.show(filtered(source), "RTData", [(0.0, 0.1, 0.2, 0.9), (280.0, 1.0, 0.2, 0.1)],
-               [(0.0, 0.0), (120.0, 0.0), (280.0, 0.2)])
+    return stage.show(filtered(source), "RTData", [(0.0, 0.1, 0.2, 0.9), (280.0, 1.0, 0.2, 0.1)],
+                      [(0.0, 0.0), (120.0, 0.0), (280.0, 0.2)])
 
 
 @case
@@ -203,8 +203,13 @@ def block(stage):
 @case
 def partition(stage):
     """An image in a partitioned data set, of which each process has a part."""
-    of_wavelet(stage, lambda source: simple.GroupDatasets(
+    return of_wavelet(stage, lambda source: simple.GroupDatasets(
         Input=[source], OutputType="vtkPartitionedDataSet"))
+
+
+@case
+def cropped_partition(stage):
+    partition(stage).UseCropping = 1
 
 
 @case

@@ -163,6 +163,20 @@ testSeveralProcesses()
   done
 }
 
+# In this case the parts need steps of different lengths.
+testSteps()
+{
+  step "Common steps"
+  PARAVIEW_LOG_RENDERING_VERBOSITY=INFO draw 2 "Volume (Varimarch)" steps lit
+  local kind count
+  for kind in own common
+  do
+    count=$(sed -n "s/.*$kind steps \([0-9.]*\).*/\1/p" "$pictures/steps/log" | sort -u | wc -l)
+    echo "Lengths of $kind steps: $count"
+    [ "$kind $count" = "own 2" ] || [ "$kind $count" = "common 1" ] || failures=$((failures + 1))
+  done
+}
+
 # Prints the median time of a frame of a case in the log of a folder [ms].
 frameTime()
 {
@@ -219,10 +233,11 @@ expectMessage()
 testRefusals()
 {
   step "Requests that several processes cannot meet, and a plugin for another VTK"
-  draw 2 "Volume (Varimarch)" refused maximum shadows blocks
+  draw 2 "Volume (Varimarch)" refused maximum shadows blocks cropped_partition
   expectMessage "needs the whole ray" "$pictures/refused/log"
   expectMessage "Shadows are on" "$pictures/refused/log"
   expectMessage "The input has 2 images and rectilinear grids" "$pictures/refused/log"
+  expectMessage "Cropping is on" "$pictures/refused/log"
   local other
   other=$(find build/*/lib/varimarch/plugins/vtk-9.1 -name varimarch.so 2>/dev/null | head -n 1)
   [ -n "$other" ] || { echo "Skipped: no plugin for VTK 9.1 in build; build the preset release"; return; }
@@ -274,6 +289,7 @@ mkdir -p "$pictures"
 testOneProcess
 testProgram
 testSeveralProcesses
+testSteps
 testTimes
 testRefusals
 testDeath
