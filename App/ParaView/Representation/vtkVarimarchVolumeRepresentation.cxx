@@ -39,6 +39,18 @@ bool HasSeveralProcesses()
   return controller && controller->GetNumberOfProcesses() > 1;
 }
 
+// The pipeline's information about a grid that is not a piece of another.
+vtkSmartPointer<vtkInformation> InformationOf(vtkDataSet* grid)
+{
+  auto information = vtkSmartPointer<vtkInformation>::New();
+  information->Set(vtkDataObject::DATA_OBJECT(), grid);
+  if (auto* const image = vtkImageData::SafeDownCast(grid))
+  {
+    information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+  }
+  return information;
+}
+
 // True for blend modes whose parts of a ray can be laid over each other.
 bool IsComposite(int blendMode)
 {
@@ -199,9 +211,7 @@ int vtkVarimarchVolumeRepresentation::RequestData(
     const std::vector<vtkDataSet*> found = varimarch::GridsIn(parts);
     this->Grids = found.size();
     vtkNew<vtkImageData> none;
-    vtkNew<vtkInformation> information;
-    information->Set(vtkDataObject::DATA_OBJECT(), found.size() == 1 ? found.front() : none.Get());
-    grids->Append(information);
+    grids->Append(InformationOf(found.size() == 1 ? found.front() : none.Get()));
     inputsOfOne[0] = grids;
   }
   const int result = this->Superclass::RequestData(request, inputsOfOne, outputs);
