@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -144,6 +146,80 @@ TEST(VolumeSummary, StopsWhereItsObserverThrows)
   const MemorySource<std::uint8_t> source(VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0));
   const auto stop = [](double) { throw std::logic_error("enough"); };
   EXPECT_THROW(SummaryOf(source, EnoughForASlab, stop), std::logic_error);
+}
+
+/// Voxels of which only a box is stored; the others are 7.
+template <class Scalar>
+class StoredBox : public MemorySource<Scalar>
+{
+public:
+  StoredBox(VoxelType type, std::vector<Scalar> voxels, const BrickSource::Box& stored)
+    : MemorySource<Scalar>(type, std::move(voxels))
+    , stored(stored)
+  {
+  }
+
+  BrickSource::Box Occupied(const BrickSource::Box& box) const override
+  {
+    BrickSource::Box common = box;
+    bool isEmpty = false;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      common.lower[axis] = std::max(box.lower[axis], this->stored.lower[axis]);
+      common.upper[axis] = std::min(box.upper[axis], this->stored.upper[axis]);
+      isEmpty = isEmpty || common.lower[axis] >= common.upper[axis];
+    }
+    return isEmpty ? BrickSource::Box{ box.lower, box.lower } : common;
+  }
+
+  double Fill() const override { return 7.0; }
+
+private:
+  BrickSource::Box stored;
+};
+
+template <class Scalar>
+void ExpectSummaryOfStoredBox(VoxelType type, const BrickSource::Box& stored)
+{
+  std::vector<Scalar> voxels = Noise<Scalar>(10.0, 90.0);
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    const std::array<std::int64_t, 3> place = { std::int64_t(i) % SliceDimensions.x,
+      std::int64_t(i) / SliceDimensions.x % SliceDimensions.y,
+      std::int64_t(i) / (SliceDimensions.x * SliceDimensions.y) };
+    bool isStored = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isStored = isStored && place[axis] >= stored.lower[axis] && place[axis] < stored.upper[axis];
+    }
+    voxels[i] = isStored ? voxels[i] : Scalar(7);
+  }
+  const auto nothing = [](double) {};
+  const VolumeSummary whole =
+    SummaryOf(MemorySource<Scalar>(type, voxels), EnoughForASlab, nothing);
+  const VolumeSummary sparse =
+    SummaryOf(StoredBox<Scalar>(type, voxels, stored), EnoughForASlab, nothing);
+  EXPECT_EQ(sparse.smallest, whole.smallest);
+  EXPECT_EQ(sparse.largest, whole.largest);
+  EXPECT_EQ(sparse.counts, whole.counts);
+  EXPECT_EQ(sparse.coarse.voxels, whole.coarse.voxels);
+  ASSERT_EQ(sparse.ranges.Bytes(), whole.ranges.Bytes());
+  EXPECT_EQ(std::memcmp(sparse.ranges.Memory(), whole.ranges.Memory(), whole.ranges.Bytes()), 0);
+}
+
+TEST(VolumeSummary, OfWhatIsStoredIsThatOfTheWhole)
+{
+  // Boxes that end at, before and behind the border of a brick, and at that of the volume.
+  for (const std::int64_t lower : { 0, 3, 4, 5 })
+  {
+    for (const std::int64_t upper : { 7, 8, 9 })
+    {
+      const BrickSource::Box stored = { { lower, lower, 15 + lower }, { upper + 4, upper, 40 } };
+      ExpectSummaryOfStoredBox<std::uint8_t>(VoxelType::UInt8, stored);
+      ExpectSummaryOfStoredBox<std::int16_t>(VoxelType::Int16, stored);
+      ExpectSummaryOfStoredBox<float>(VoxelType::Float32, stored);
+    }
+  }
 }
 
 }

@@ -42,6 +42,13 @@ public:
   /// called from several threads at the same time.
   /// @throws std::runtime_error with one sentence if the voxels cannot be read
   virtual void Read(int level, const Box& box, void* voxels) const = 0;
+
+  /// The part of a box of level 0 that has to be read: all voxels around it have the value Fill(),
+  /// because the store has nothing there. Equal corners if nothing has to be read.
+  virtual Box Occupied(const Box& box) const { return box; }
+
+  /// The value of voxels that are not stored.
+  virtual double Fill() const { return 0.0; }
 };
 
 }

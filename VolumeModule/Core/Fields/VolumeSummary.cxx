@@ -26,12 +26,18 @@ glm::ivec3 VoxelCountOf(const BrickSource::Level& level)
   return { int(dimensions[0]), int(dimensions[1]), int(dimensions[2]) };
 }
 
-/// A part of the volume between two planes of bricks.
+/// A part of the volume between two planes of bricks, without the bricks around it of which nothing
+/// is stored.
 struct Slab
 {
-  int firstSlice;
-  int sliceCount; ///< with the slice that the next slab begins with
-  int ownSlices;  ///< without it
+  glm::ivec3 first; ///< its first voxel, which begins a brick
+  glm::ivec3 count; ///< voxels along each axis, with the slice that the next slab begins with
+  int ownSlices;    ///< slices without that
+
+  std::size_t Voxels() const
+  {
+    return std::size_t(this->count.x) * std::size_t(this->count.y) * std::size_t(this->count.z);
+  }
 };
 
 // Reads slabs on all cores. A core takes no other slab before it is done with one, so that memory
@@ -54,24 +60,35 @@ public:
     this->slabSlices = int(std::max<std::uint64_t>(wanted / Side, 1)) * Side;
   }
 
+  // True if the slabs have all voxels.
+  bool HaveAll() const
+  {
+    bool haveAll = true;
+    for (int i = 0; i < this->SlabCount(); ++i)
+    {
+      const glm::ivec3 count = this->SlabOf(i).count;
+      haveAll = haveAll && count.x == this->voxels.x && count.y == this->voxels.y;
+    }
+    return haveAll;
+  }
+
   // Calls take(slab, its voxels) for each slab, on several cores.
   template <class Take>
   void ForEach(const std::function<void(double)>& report, Take take) const
   {
-    const int slabCount = (this->voxels.z + this->slabSlices - 1) / this->slabSlices;
+    const int slabCount = this->SlabCount();
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<int> done = 0;
     tbb::parallel_for(0, slabCount,
       [&](int index)
       {
         const Slab slab = this->SlabOf(index);
-        std::vector<Scalar> read(
-          std::size_t(this->voxels.x) * this->voxels.y * std::size_t(slab.sliceCount));
-        this->source.Read(0,
-          { { 0, 0, slab.firstSlice },
-            { this->voxels.x, this->voxels.y, slab.firstSlice + slab.sliceCount } },
-          read.data());
-        tbb::this_task_arena::isolate([&] { take(slab, read); });
+        if (slab.Voxels() > 0)
+        {
+          std::vector<Scalar> read(slab.Voxels());
+          this->source.Read(0, BoxOf(slab), read.data());
+          tbb::this_task_arena::isolate([&] { take(slab, read); });
+        }
         const int doneNow = ++done;
         if (std::this_thread::get_id() == caller)
         {
@@ -81,11 +98,31 @@ public:
   }
 
 private:
+  int SlabCount() const { return (this->voxels.z + this->slabSlices - 1) / this->slabSlices; }
+
+  static BrickSource::Box BoxOf(const Slab& slab)
+  {
+    const glm::ivec3 behind = slab.first + slab.count;
+    return { { slab.first.x, slab.first.y, slab.first.z }, { behind.x, behind.y, behind.z } };
+  }
+
   Slab SlabOf(int index) const
   {
     const int first = index * this->slabSlices;
     const int own = std::min(this->slabSlices, this->voxels.z - first);
-    return { first, std::min(own + 1, this->voxels.z - first), own };
+    Slab slab = { { 0, 0, first },
+      { this->voxels.x, this->voxels.y, std::min(own + 1, this->voxels.z - first) }, own };
+    const BrickSource::Box stored = this->source.Occupied(BoxOf(slab));
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      // A voxel between two bricks belongs to both.
+      const auto lower = int(stored.lower[axis]);
+      const auto upper = int(stored.upper[axis]);
+      slab.first[axis] = std::max(lower - 1, 0) / Side * Side;
+      const int behind = std::min((upper - 1) / Side * Side + Side + 1, this->voxels[axis]);
+      slab.count[axis] = lower < upper ? behind - slab.first[axis] : 0;
+    }
+    return slab;
   }
 
   const BrickSource& source;
@@ -112,8 +149,8 @@ struct Finite
 
 // The range over which bricks tell values apart: known beforehand for integers.
 template <class Scalar>
-Finite<Scalar> RangeOf(
-  const SlabReader<Scalar>& slabs, [[maybe_unused]] const std::function<void(double)>& report)
+Finite<Scalar> RangeOf(const SlabReader<Scalar>& slabs, [[maybe_unused]] double fill,
+  [[maybe_unused]] const std::function<void(double)>& report)
 {
   Finite<Scalar> range;
   if constexpr (std::is_integral_v<Scalar>)
@@ -134,6 +171,10 @@ Finite<Scalar> RangeOf(
         range.largest = std::max(range.largest, ofSlab.largest);
         range.all = range.all && ofSlab.all;
       });
+    if (!slabs.HaveAll())
+    {
+      range.Add(Scalar(fill));
+    }
     if (range.smallest > range.largest)
     {
       range.smallest = range.largest = Scalar(0);
@@ -142,15 +183,43 @@ Finite<Scalar> RangeOf(
   return range;
 }
 
+// Gives all bricks and means the value of voxels that are not stored.
+template <class Scalar>
+void Fill(double value, const Finite<Scalar>& range, VolumeSummary& summary)
+{
+  const std::vector<Scalar> cell(8, Scalar(value));
+  const ScalarGrid<Scalar> grid(cell.data(), glm::ivec3(2));
+  const BrickRanges::Steps steps =
+    BuildBrickRanges(grid, double(range.smallest), double(range.largest))[0];
+  if (steps.largest == 0 && cell.front() == Scalar(0))
+  {
+    return; // the memory is so already
+  }
+  const glm::ivec3 bricks = summary.ranges.BrickCount();
+  const std::size_t count = std::size_t(bricks.x) * bricks.y * std::size_t(bricks.z);
+  for (std::size_t brick = 0; brick < count; ++brick)
+  {
+    summary.ranges.Set(brick, steps);
+  }
+  auto* const means = reinterpret_cast<Scalar*>(summary.coarse.voxels.data());
+  std::fill_n(means, summary.coarse.voxels.size() / sizeof(Scalar), cell.front());
+}
+
 // Puts the ranges of a slab where they belong in those of the volume.
-void PutRanges(const BrickRanges& ofSlab, int firstSlice, BrickRanges& ranges)
+void PutRanges(const BrickRanges& ofSlab, const Slab& slab, BrickRanges& ranges)
 {
   const glm::ivec3 count = ofSlab.BrickCount();
-  const std::size_t perLayer = std::size_t(count.x) * count.y;
-  const std::size_t first = std::size_t(firstSlice / Side) * perLayer;
-  for (std::size_t brick = 0; brick < perLayer * std::size_t(count.z); ++brick)
+  const glm::ivec3 all = ranges.BrickCount();
+  const glm::ivec3 first = slab.first / Side;
+  std::size_t brick = 0;
+  for (int row = 0; row < count.y * count.z; ++row)
   {
-    ranges.Set(first + brick, ofSlab[brick]);
+    const std::size_t place =
+      std::size_t(first.z + row / count.y) * all.y + first.y + row % count.y;
+    for (int x = 0; x < count.x; ++x, ++brick)
+    {
+      ranges.Set(place * all.x + first.x + x, ofSlab[brick]);
+    }
   }
 }
 
@@ -161,7 +230,7 @@ void Count(const Slab& slab, const std::vector<Scalar>& voxels, std::vector<std:
 {
   if constexpr (std::is_integral_v<Scalar>)
   {
-    const std::size_t own = voxels.size() / std::size_t(slab.sliceCount) * slab.ownSlices;
+    const std::size_t own = voxels.size() / std::size_t(slab.count.z) * slab.ownSlices;
     // Neighbours are often alike: with a count each they do not wait for each other. A slab has
     // fewer than 2^32 voxels.
     constexpr std::size_t Apart = 4;
@@ -177,6 +246,17 @@ void Count(const Slab& slab, const std::vector<Scalar>& voxels, std::vector<std:
       counts[i % counts.size()] += few[i];
     }
   }
+}
+
+// Counts the voxels that were not read.
+template <class Scalar>
+void CountFill(const BrickSource& source, std::vector<std::int64_t>& counts)
+{
+  const auto& size = source.Levels().front().dimensions;
+  const std::int64_t read = std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+  const auto fill = Scalar(source.Fill());
+  counts[std::size_t(int(fill) - int(std::numeric_limits<Scalar>::lowest()))] +=
+    size[0] * size[1] * size[2] - read;
 }
 
 // The means of a row of cubes.
@@ -207,13 +287,15 @@ void PutMeans(const Slab& slab, const ScalarGrid<Scalar>& grid, CoarseLevel& coa
   constexpr int Cube = CoarseLevel::Side;
   auto* const means = reinterpret_cast<Scalar*>(coarse.voxels.data());
   const glm::ivec3 count = coarse.voxelCount;
-  const int firstCube = slab.firstSlice / Cube;
-  for (int z = 0; z < slab.ownSlices / Cube && firstCube + z < count.z; ++z)
+  const glm::ivec3 first = slab.first / Cube;
+  const glm::ivec3 own =
+    glm::min(glm::ivec3(slab.count.x, slab.count.y, slab.ownSlices) / Cube, count - first);
+  for (int z = 0; z < own.z; ++z)
   {
-    for (int y = 0; y < count.y; ++y)
+    for (int y = 0; y < own.y; ++y)
     {
-      const std::size_t row = std::size_t(firstCube + z) * count.y + y;
-      TakeMeans(grid, Cube * y, Cube * z, count.x, means + row * count.x);
+      const std::size_t row = std::size_t(first.z + z) * count.y + first.y + y;
+      TakeMeans(grid, Cube * y, Cube * z, own.x, means + row * count.x + first.x);
     }
   }
 }
@@ -236,27 +318,32 @@ VolumeSummary SummaryOf(
 {
   constexpr bool isCounted = std::is_integral_v<Scalar>;
   const SlabReader<Scalar> slabs(source, mostBytes);
-  const Finite<Scalar> range = RangeOf(slabs, [&](double part) { report(0.5 * part); });
-  const glm::ivec3 voxels = VoxelCountOf(source.Levels().front());
+  const Finite<Scalar> range =
+    RangeOf(slabs, source.Fill(), [&](double part) { report(0.5 * part); });
   VolumeSummary summary = UnfilledSummary(
     source.Levels().front(), source.Type(), double(range.smallest), double(range.largest));
   summary.areFinite = range.all;
+  if (!slabs.HaveAll())
+  {
+    Fill(source.Fill(), range, summary);
+  }
   std::mutex counting;
   slabs.ForEach([&](double part) { report(isCounted ? part : 0.5 + 0.5 * part); },
     [&](const Slab& slab, const std::vector<Scalar>& read)
     {
-      const ScalarGrid<Scalar> grid(read.data(), { voxels.x, voxels.y, slab.sliceCount });
-      const bool isOfNoCells = slab.sliceCount == 1 && slab.firstSlice > 0;
+      const ScalarGrid<Scalar> grid(read.data(), slab.count);
+      const bool isOfNoCells = slab.count.z == 1 && slab.first.z > 0;
       if (!isOfNoCells)
       {
-        PutRanges(BuildBrickRanges(grid, double(range.smallest), double(range.largest)),
-          slab.firstSlice, summary.ranges);
+        PutRanges(BuildBrickRanges(grid, double(range.smallest), double(range.largest)), slab,
+          summary.ranges);
       }
       PutMeans(slab, grid, summary.coarse);
       Count(slab, read, summary.counts, counting);
     });
   if constexpr (isCounted)
   {
+    CountFill<Scalar>(source, summary.counts);
     TakeExtremes<Scalar>(summary);
   }
   return summary;

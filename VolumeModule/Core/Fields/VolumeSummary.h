@@ -44,7 +44,7 @@ VolumeSummary UnfilledSummary(
 /// Memory of the ranges and of the field of a volume, with what is needed to build them [bytes].
 std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type);
 
-/// Reads level 0 slab by slab, on all cores: once, or twice for floats.
+/// Reads what is stored of level 0 slab by slab, on all cores: once, or twice for floats.
 /// @param mostSlabBytes  voxels that are in memory at the same time [bytes]
 /// @param report  receives the finished part, [0, 1], in the calling thread; may throw to stop
 VolumeSummary SummaryOf(const BrickSource& source, std::uint64_t mostSlabBytes,
