@@ -4,7 +4,7 @@
 #include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Formats.h"
 #include "Readers/KeptInput.h"
-#include "Readers/MappedFile.h"
+#include "Readers/PagedVoxels.h"
 #include "Readers/Times.h"
 
 #include <vtkErrorCode.h>
@@ -139,7 +139,7 @@ void vtkVolumeFileReader::ReadFileOrThrow(int time, varimarch::ReadProgress& pro
   options.kept = this->Kept.get();
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
   vtkImageData* const image = this->Read->Volume.image;
-  this->Read->AreOnDisk = varimarch::MappedFileAt(image->GetScalarPointer()) != nullptr;
+  this->Read->AreOnDisk = varimarch::PagedVoxelsAt(image->GetScalarPointer()) != nullptr;
   for (const std::string& warning : this->Read->Volume.warnings)
   {
     this->Read->Warnings->InsertNextValue(warning);

@@ -98,15 +98,16 @@ public:
    * uncompressed single numbers of 8 bits, 16 bits or type float, in this machine's byte order, in
    * one NRRD, MetaImage, NIfTI or raw file. The scalars are then a mapping of the file, whose pages
    * the system reads when they are touched, and drops again before the program has more than this
-   * memory. Other voxels are refused if they need more. A program that changes such scalars changes
-   * its own copy of their pages only.
+   * memory. A level of OME-Zarr or HDF5 that needs more than half of the memory stays in its chunks
+   * in the same way, where the system has userfaultfd. Other voxels are refused if they need more.
+   * A program that changes such scalars changes its own copy of their pages only.
    */
   vtkSetClampMacro(MaximumHostMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumHostMemory, vtkIdType);
   ///@}
 
   /**
-   * True after Update() if the voxels stayed in their file.
+   * True after Update() if the voxels stayed in their file or its chunks.
    */
   bool HasVoxelsOnDisk();
 
@@ -146,7 +147,8 @@ public:
   ///@{
   /**
    * The level to read of OME-Zarr, Imaris or BigDataViewer, the finest of which is 0. Default: -1,
-   * the finest that fits in half of the memory that is free; the warnings name it if it is not 0.
+   * the finest that fits in half of the memory that is free or stays in its chunks, see
+   * SetMaximumHostMemory(); the warnings name it if it is not 0.
    */
   vtkSetClampMacro(ResolutionLevel, int, -1, VTK_INT_MAX);
   vtkGetMacro(ResolutionLevel, int);

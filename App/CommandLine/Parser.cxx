@@ -280,13 +280,15 @@ void AddVolumeOptions(
   command
     .add_option("--memory", arguments.memoryMegabytes,
       "Memory that the program may use in MB; a volume that needs more than a quarter\n"
-      "of it is drawn from its file, if its voxels are not compressed (default: all)")
+      "of it is drawn from its file, if its voxels are not compressed, and a level of\n"
+      "OME-Zarr or HDF5 that needs more than half from its chunks (default: all)")
     ->check(CLI::PositiveNumber)
     ->type_name("MB");
   command
     .add_option("--level", arguments.level,
       "The level to read of OME-Zarr, Imaris or BigDataViewer, from 0, the finest\n"
-      "(default: the finest that fits in half of the free memory)")
+      "(default: the finest that fits in half of the free memory or can be drawn\n"
+      "from its chunks)")
     ->check(CLI::Range(0, LargestLevel).description(""))
     ->type_name("N");
   command

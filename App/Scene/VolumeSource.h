@@ -35,7 +35,7 @@ struct FileSource
   /// Memory that the program may use [MB]: larger voxels stay in their file; 0: the machine's.
   double memoryMegabytes = 0.0;
   /// The level of a file with several, the finest of which is 0; empty for the finest that fits in
-  /// half of the free memory.
+  /// half of the free memory or can stay in its chunks.
   std::optional<int> level = {};
   int channel = 0;                        ///< a channel of a file with several, counted from 0
   int time = 0;                           ///< which of several times, counted from 0

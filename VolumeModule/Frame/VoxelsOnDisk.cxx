@@ -30,14 +30,14 @@ VoxelsOnDisk::VoxelsOnDisk(const Frame& frame, vtkIdType mostBytes)
 {
   const auto take = [&](const Frame& ofVolume)
   {
-    auto file = MappedFileOf(ofVolume.voxels.scalars);
-    if (file && mostBytes > 0)
+    auto voxels = PagedVoxelsOf(ofVolume.voxels.scalars);
+    if (voxels && mostBytes > 0)
     {
-      SetMostBytes(*file, std::uint64_t(mostBytes));
+      SetMostBytes(*voxels, std::uint64_t(mostBytes));
     }
-    if (file)
+    if (voxels)
     {
-      this->files.push_back(std::move(file));
+      this->all.push_back(std::move(voxels));
     }
   };
   take(frame);
@@ -49,9 +49,9 @@ VoxelsOnDisk::VoxelsOnDisk(const Frame& frame, vtkIdType mostBytes)
 
 void VoxelsOnDisk::Check() const
 {
-  for (const auto& file : this->files)
+  for (const auto& voxels : this->all)
   {
-    const std::string problem = file->Problem();
+    const std::string problem = voxels->Problem();
     if (!problem.empty())
     {
       throw std::runtime_error(problem);

@@ -15,9 +15,9 @@ class vtkDataArray;
 namespace varimarch
 {
 
-class MappedFile;
+class PagedVoxels;
 
-/// The number of voxels of each value of scalars that stayed in their file, from the smallest value
+/// The number of voxels of each value of scalars that stayed on disk, from the smallest value
 /// that occurs to the largest; empty for scalars in memory, and for types wider than 16 bits.
 struct ValueCounts
 {
@@ -26,19 +26,19 @@ struct ValueCounts
 };
 VARIMARCHVOLUME_EXPORT ValueCounts CountsOnDisk(vtkDataArray* scalars);
 
-/// The files that voxels of a frame are mapped from; none if all are in memory.
+/// The voxels of a frame that stayed on disk; none if all are in memory.
 class VoxelsOnDisk
 {
 public:
   /// @param mostBytes  bound of the program's memory from now on [bytes]; 0: the bound that it has
   VoxelsOnDisk(const Frame& frame, vtkIdType mostBytes);
 
-  /// @throws std::runtime_error if a file has changed since it was opened, so that the image is
-  /// wrong
+  /// @throws std::runtime_error if a file has changed since it was opened, or a chunk cannot be
+  /// read, so that the image is wrong
   void Check() const;
 
 private:
-  std::vector<std::shared_ptr<MappedFile>> files;
+  std::vector<std::shared_ptr<PagedVoxels>> all;
 };
 
 }

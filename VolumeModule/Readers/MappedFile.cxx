@@ -2,6 +2,7 @@
 
 #include "Readers/FileError.h"
 #include "Readers/PageGuard.h"
+#include "Readers/PageMap.h"
 #include "Readers/VoxelLayout.h"
 
 #include <fcntl.h>
@@ -9,9 +10,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 namespace varimarch
 {
@@ -60,6 +61,7 @@ MappedFile::MappedFile(const std::string& path, std::uint64_t offset, std::uint6
     FailToRead(
       path, "a file whose " + ByteText(double(byteCount)) + " of voxels can be mapped", reason);
   }
+  this->looks.resize((this->pageBytes + PartBytes - 1) / PartBytes);
 }
 
 MappedFile::~MappedFile()
@@ -69,21 +71,39 @@ MappedFile::~MappedFile()
   close(this->descriptor);
 }
 
-bool MappedFile::Holds(const void* address) const
+std::size_t MappedFile::BytesOfPart(std::size_t index) const
 {
-  const char* const byte = static_cast<const char*>(address);
-  return byte >= this->pages && byte < this->pages + this->pageBytes;
+  return std::min(PartBytes, this->pageBytes - index * PartBytes);
 }
 
-void MappedFile::Describe(std::shared_ptr<const VolumeSummary> newSummary, std::uint64_t time)
+std::vector<PagedVoxels::Part> MappedFile::DroppableParts(const PageMap& map, std::uint64_t now)
 {
-  this->summary = std::move(newSummary);
-  this->summaryTime = time;
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < this->looks.size(); ++i)
+  {
+    Look& look = this->looks[i];
+    const std::size_t resident =
+      map.DroppableBytes(this->pages + i * PartBytes, this->BytesOfPart(i));
+    look.grew = resident > look.residentBytes ? now : look.grew;
+    look.residentBytes = resident;
+    if (resident > 0)
+    {
+      parts.push_back({ i, resident, look.grew });
+    }
+  }
+  return parts;
 }
 
-std::shared_ptr<const VolumeSummary> MappedFile::Summary(std::uint64_t time) const
+// The part may have been written since the look at all of them, which takes a while.
+std::size_t MappedFile::Drop(std::size_t index, const PageMap& map)
 {
-  return time == this->summaryTime ? this->summary : nullptr;
+  char* const begin = this->pages + index * PartBytes;
+  const std::size_t bytes = map.DroppableBytes(begin, this->BytesOfPart(index));
+  if (bytes > 0)
+  {
+    madvise(begin, this->BytesOfPart(index), MADV_DONTNEED);
+  }
+  return bytes;
 }
 
 std::string MappedFile::Problem() const

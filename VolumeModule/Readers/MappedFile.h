@@ -1,68 +1,51 @@
 #ifndef Varimarch_Readers_MappedFile_h
 #define Varimarch_Readers_MappedFile_h
 
-#include <cstddef>
+#include "Readers/PagedVoxels.h"
+
 #include <cstdint>
-#include <memory>
 #include <string>
+#include <vector>
 
 namespace varimarch
 {
-
-struct VolumeSummary;
 
 /// The bytes of a file in the address space, read from disk when they are touched. They may be
 /// written; what is written stays in memory and never reaches the file.
 ///
 /// Bytes that the file has lost since, because it was made shorter or its disk fails, are 0 instead
-/// of ending the program; Problem() then says so. MappedMemory keeps what is in memory within a
-/// bound.
-class MappedFile
+/// of ending the program; Problem() then says so.
+class MappedFile : public PagedVoxels
 {
 public:
   /// @param offset  first byte of the file
   /// @throws std::runtime_error if the file is shorter, or cannot be mapped
   MappedFile(const std::string& path, std::uint64_t offset, std::uint64_t byteCount);
-  ~MappedFile();
-  MappedFile(const MappedFile&) = delete;
-  MappedFile& operator=(const MappedFile&) = delete;
+  ~MappedFile() override;
 
-  void* Bytes() const { return this->pages + this->lead; }
-  const std::string& Path() const { return this->path; }
-
-  /// True for an address inside.
-  bool Holds(const void* address) const;
-
-  /// The sentence that says what has happened to the file since it was mapped; empty if nothing
-  /// has. The full stop is missing.
-  std::string Problem() const;
-
-  /// Remembers the facts about the voxels that it holds.
-  /// @param time  time of the last change of the array that has them
-  void Describe(std::shared_ptr<const VolumeSummary> newSummary, std::uint64_t time);
-
-  /// The facts about the voxels; null if the array has changed since.
-  std::shared_ptr<const VolumeSummary> Summary(std::uint64_t time) const;
-
-  /// The part of the address space, in whole pages.
-  char* Pages() const { return this->pages; }
-  std::size_t PageBytes() const { return this->pageBytes; }
+  std::string Problem() const override;
+  std::vector<Part> DroppableParts(const PageMap& map, std::uint64_t now) override;
+  std::size_t Drop(std::size_t index, const PageMap& map) override;
 
 private:
+  static constexpr std::size_t PartBytes = 4 << 20;
+
+  /// Memory of a part as PageMap::DroppableBytes has it, when it was last looked at.
+  struct Look
+  {
+    std::size_t residentBytes = 0;
+    std::uint64_t grew = 0;
+  };
+
+  std::size_t BytesOfPart(std::size_t index) const;
+
   std::string path;
   std::uint64_t size = 0; ///< size of the file when it was mapped
   std::int64_t modified = 0;
   int descriptor = -1;
-  char* pages = nullptr;
-  std::size_t pageBytes = 0;
-  std::size_t lead = 0; ///< bytes of the first page before the first byte
-  std::shared_ptr<const VolumeSummary> summary;
-  std::uint64_t summaryTime = 0;
-  int guard = -1; ///< number of its entry among the guarded addresses
+  std::vector<Look> looks; ///< one for each part
+  int guard = -1;          ///< number of its entry among the guarded addresses
 };
-
-/// The mapped file that an address is in; null if there is none.
-std::shared_ptr<MappedFile> MappedFileAt(const void* address);
 
 }
 

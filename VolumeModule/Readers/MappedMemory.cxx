@@ -1,8 +1,8 @@
 #include "Readers/MappedMemory.h"
 
-#include <fcntl.h>
+#include "Readers/PageMap.h"
+
 #include <pthread.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,75 +12,73 @@
 #include <mutex>
 #include <new>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace varimarch
 {
 namespace
 {
 
-/// The bits that /proc/self/pagemap has for a page, see Linux's
-/// Documentation/admin-guide/mm/pagemap.rst.
-constexpr std::uint64_t IsPresent = 1ull << 63;
-constexpr std::uint64_t IsSwapped = 1ull << 62;
-constexpr std::uint64_t IsOfFile = 1ull << 61;
-
 struct Kept
 {
-  std::shared_ptr<MappedFile> file;
-  MappedParts parts;
+  std::shared_ptr<PagedVoxels> voxels;
   std::uint64_t mostBytes;
 };
 
-/// The files of the process, and the thread that keeps them within their bound.
-class MappedFiles
+/// The paged voxels of the process, and the thread that keeps them within their bound.
+class AllKept
 {
 public:
-  void* Add(std::unique_ptr<MappedFile> newFile, std::uint64_t mostBytes)
+  void* Add(std::unique_ptr<PagedVoxels> voxels, std::uint64_t mostBytes)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
-    std::shared_ptr<MappedFile> file = std::move(newFile);
-    this->files.push_back({ file, MappedParts(file), mostBytes });
+    void* const bytes = voxels->Bytes();
+    this->all.push_back({ std::move(voxels), mostBytes });
     if (!this->watcher.joinable())
     {
       this->watcher = std::thread([this] { this->Watch(); });
     }
-    return file->Bytes();
+    return bytes;
   }
 
+  /// The voxels end without the lock, since they may wait for a thread that starts a process.
   void Remove(void* bytes)
   {
+    std::vector<Kept> removed;
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
-      this->files.erase(std::remove_if(this->files.begin(), this->files.end(),
-                          [&](const Kept& kept) { return kept.file->Holds(bytes); }),
-        this->files.end());
+      const auto ending = std::stable_partition(this->all.begin(), this->all.end(),
+        [&](const Kept& kept) { return !kept.voxels->Holds(bytes); });
+      removed.assign(ending, this->all.end());
+      this->all.erase(ending, this->all.end());
     }
     this->StopIfEmpty();
   }
 
-  std::shared_ptr<MappedFile> At(const void* address)
+  std::shared_ptr<PagedVoxels> At(const void* address)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
-    for (const Kept& kept : this->files)
+    for (const Kept& kept : this->all)
     {
-      if (kept.file->Holds(address))
+      if (kept.voxels->Holds(address))
       {
-        return kept.file;
+        return kept.voxels;
       }
     }
     return nullptr;
   }
 
-  void SetMostBytes(const MappedFile& file, std::uint64_t mostBytes)
+  void SetMostBytes(const PagedVoxels& voxels, std::uint64_t mostBytes)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
-    for (Kept& kept : this->files)
+    for (Kept& kept : this->all)
     {
-      kept.mostBytes = kept.file.get() == &file ? mostBytes : kept.mostBytes;
+      kept.mostBytes = kept.voxels.get() == &voxels ? mostBytes : kept.mostBytes;
     }
   }
 
-  /// Threads that use the files would leave them locked in a process that is forked meanwhile.
+  /// Threads that use the voxels would leave them locked in a process that is forked meanwhile.
   void PrepareFork() { this->mutex.lock(); }
   void EndForkInParent() { this->mutex.unlock(); }
 
@@ -101,7 +99,7 @@ private:
     std::thread ending;
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
-      if (this->files.empty())
+      if (this->all.empty())
       {
         ending.swap(this->watcher);
       }
@@ -113,8 +111,8 @@ private:
     }
   }
 
-  /// Ends when this thread is no longer the watcher. A flag would not do: a file that is added
-  /// while the last one is removed starts another watcher, for which the flag would be unset again.
+  /// Ends when this thread is no longer the watcher. A flag would not do: voxels that are
+  /// added while the last are removed start another watcher, for which the flag would be unset.
   void Watch()
   {
     constexpr auto Pause = std::chrono::milliseconds(10);
@@ -129,7 +127,7 @@ private:
   void DropWhatIsTooMuch()
   {
     std::uint64_t most = UINT64_MAX;
-    for (const Kept& kept : this->files)
+    for (const Kept& kept : this->all)
     {
       most = std::min(most, kept.mostBytes);
     }
@@ -145,46 +143,43 @@ private:
 
   void Drop(std::uint64_t wantedBytes)
   {
-    ++this->now;
-    const PageMap pages;
-    std::vector<MappedParts::Part> all;
-    for (Kept& kept : this->files)
+    struct PartOfAny
     {
-      kept.parts.Look(pages, this->now);
-      const auto& parts = kept.parts.Parts();
-      std::copy_if(parts.begin(), parts.end(), std::back_inserter(all),
-        [](const MappedParts::Part& part) { return part.residentBytes > 0; });
-    }
-    std::stable_sort(all.begin(), all.end(),
-      [](const MappedParts::Part& one, const MappedParts::Part& other)
-      { return one.grew < other.grew; });
-    std::uint64_t dropped = 0;
-    for (auto part = all.begin(); part != all.end() && dropped < wantedBytes; ++part)
+      PagedVoxels* voxels;
+      PagedVoxels::Part part;
+    };
+    const PageMap map;
+    const auto now = std::uint64_t(std::chrono::steady_clock::now().time_since_epoch().count());
+    std::vector<PartOfAny> parts;
+    for (const Kept& kept : this->all)
     {
-      // The part may have been written since the look at all of them, which takes a while.
-      const std::size_t bytes = pages.DroppableBytes(part->begin, part->byteCount);
-      if (bytes > 0)
+      for (const PagedVoxels::Part& part : kept.voxels->DroppableParts(map, now))
       {
-        madvise(part->begin, part->byteCount, MADV_DONTNEED);
-        dropped += bytes;
+        parts.push_back({ kept.voxels.get(), part });
       }
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+      [](const PartOfAny& one, const PartOfAny& other) { return one.part.grew < other.part.grew; });
+    std::uint64_t dropped = 0;
+    for (auto next = parts.begin(); next != parts.end() && dropped < wantedBytes; ++next)
+    {
+      dropped += next->voxels->Drop(next->part.index, map);
     }
   }
 
   std::mutex mutex;
   std::condition_variable wake;
-  std::vector<Kept> files;
+  std::vector<Kept> all;
   std::thread watcher;
-  std::uint64_t now = 0;
 };
 
-// They are never destroyed, because an array of mapped voxels may outlive any other object.
-MappedFiles& AllFiles()
+// They are never destroyed, because an array of paged voxels may outlive any other object.
+AllKept& All()
 {
-  static MappedFiles& files = *std::make_unique<MappedFiles>().release();
+  static AllKept& all = *std::make_unique<AllKept>().release();
   [[maybe_unused]] static const int forks = pthread_atfork(
-    [] { files.PrepareFork(); }, [] { files.EndForkInParent(); }, [] { files.EndForkInChild(); });
-  return files;
+    [] { all.PrepareFork(); }, [] { all.EndForkInParent(); }, [] { all.EndForkInChild(); });
+  return all;
 }
 
 }
@@ -204,75 +199,24 @@ std::uint64_t ResidentBytes()
   return resident * std::uint64_t(sysconf(_SC_PAGESIZE));
 }
 
-void* KeepMapped(std::unique_ptr<MappedFile> file, std::uint64_t mostBytes)
+void* KeepPaged(std::unique_ptr<PagedVoxels> voxels, std::uint64_t mostBytes)
 {
-  return AllFiles().Add(std::move(file), mostBytes);
+  return All().Add(std::move(voxels), mostBytes);
 }
 
-void SetMostBytes(const MappedFile& file, std::uint64_t mostBytes)
+void SetMostBytes(const PagedVoxels& voxels, std::uint64_t mostBytes)
 {
-  AllFiles().SetMostBytes(file, mostBytes);
+  All().SetMostBytes(voxels, mostBytes);
 }
 
-void ReleaseMapped(void* bytes)
+void ReleasePaged(void* bytes)
 {
-  AllFiles().Remove(bytes);
+  All().Remove(bytes);
 }
 
-std::shared_ptr<MappedFile> MappedFileAt(const void* address)
+std::shared_ptr<PagedVoxels> PagedVoxelsAt(const void* address)
 {
-  return AllFiles().At(address);
-}
-
-MappedParts::MappedParts(std::shared_ptr<MappedFile> newFile)
-  : file(std::move(newFile))
-{
-  const std::size_t all = this->file->PageBytes();
-  for (std::size_t begin = 0; begin < all; begin += PartBytes)
-  {
-    this->parts.push_back({ this->file->Pages() + begin, std::min(PartBytes, all - begin), 0, 0 });
-  }
-}
-
-PageMap::PageMap()
-  : descriptor(open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC))
-{
-}
-
-PageMap::~PageMap()
-{
-  if (this->descriptor >= 0)
-  {
-    close(this->descriptor);
-  }
-}
-
-std::size_t PageMap::DroppableBytes(const char* begin, std::size_t byteCount) const
-{
-  const auto page = std::size_t(sysconf(_SC_PAGESIZE));
-  std::vector<std::uint64_t> entries(byteCount / page);
-  const auto place = off_t(reinterpret_cast<std::uintptr_t>(begin) / page * sizeof(entries[0]));
-  const std::size_t wanted = entries.size() * sizeof(entries[0]);
-  if (pread(this->descriptor, entries.data(), wanted, place) != ssize_t(wanted))
-  {
-    return 0;
-  }
-  const bool isWritten = std::any_of(entries.begin(), entries.end(),
-    [](std::uint64_t entry)
-    { return (entry & (IsPresent | IsSwapped)) != 0 && (entry & IsOfFile) == 0; });
-  const auto present = std::size_t(std::count_if(
-    entries.begin(), entries.end(), [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
-  return isWritten ? 0 : page * present;
-}
-
-void MappedParts::Look(const PageMap& pages, std::uint64_t now)
-{
-  for (Part& part : this->parts)
-  {
-    const std::size_t resident = pages.DroppableBytes(part.begin, part.byteCount);
-    part.grew = resident > part.residentBytes ? now : part.grew;
-    part.residentBytes = resident;
-  }
+  return All().At(address);
 }
 
 }

@@ -5,15 +5,15 @@
 namespace varimarch
 {
 
-std::shared_ptr<MappedFile> MappedFileOf(vtkDataArray* scalars)
+std::shared_ptr<PagedVoxels> PagedVoxelsOf(vtkDataArray* scalars)
 {
-  return MappedFileAt(scalars->GetVoidPointer(0));
+  return PagedVoxelsAt(scalars->GetVoidPointer(0));
 }
 
 std::shared_ptr<const VolumeSummary> SummaryOf(vtkDataArray* scalars)
 {
-  const auto file = MappedFileOf(scalars);
-  return file ? file->Summary(scalars->GetMTime()) : nullptr;
+  const auto voxels = PagedVoxelsOf(scalars);
+  return voxels ? voxels->Summary(scalars->GetMTime()) : nullptr;
 }
 
 }

@@ -2,7 +2,7 @@
 #define Varimarch_Readers_MappedScalars_h
 
 #include "Core/Fields/VolumeSummary.h"
-#include "Readers/MappedFile.h"
+#include "Readers/PagedVoxels.h"
 
 #include <memory>
 
@@ -11,10 +11,10 @@ class vtkDataArray;
 namespace varimarch
 {
 
-/// The file whose mapped voxels are these scalars; null for scalars in memory.
-std::shared_ptr<MappedFile> MappedFileOf(vtkDataArray* scalars);
+/// The paged voxels that are these scalars; null for scalars in memory.
+std::shared_ptr<PagedVoxels> PagedVoxelsOf(vtkDataArray* scalars);
 
-/// The summary of scalars that stayed in their file; null for others, and once they are modified.
+/// The summary of scalars that stayed on disk; null for others, and once they are modified.
 std::shared_ptr<const VolumeSummary> SummaryOf(vtkDataArray* scalars);
 
 }

@@ -3,6 +3,7 @@
 #include "Readers/MappedFile.h"
 #include "Readers/MappedMemory.h"
 #include "Readers/RawVoxelSource.h"
+#include "Readers/SummaryFile.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -46,23 +47,33 @@ std::string ObstacleToMapping(
                                   : "";
 }
 
-vtkSmartPointer<vtkImageData> MappedImage(const SummarizedVoxels& voxels, ReadProgress& progress)
+vtkSmartPointer<vtkImageData> MappedImage(const VoxelsInFile& voxels, ReadProgress& progress)
 {
   const VoxelLayout& layout = voxels.layout;
   auto file =
     std::make_unique<MappedFile>(voxels.path, voxels.offset, ByteCountOf(voxels.path, layout));
-  const auto summary = KeptSummary(voxels, progress);
+  const RawVoxelSource source(voxels.path, layout, voxels.offset);
+  const auto summary =
+    KeptSummary({ source, layout.scalarType, voxels.path, voxels.path,
+                  StampOfFile(voxels.path, voxels.offset), voxels.mostMemoryBytes },
+      progress);
+  return PagedImage(std::move(file), layout, summary, voxels.mostMemoryBytes);
+}
+
+vtkSmartPointer<vtkImageData> PagedImage(std::unique_ptr<PagedVoxels> voxels,
+  const VoxelLayout& layout, std::shared_ptr<const VolumeSummary> summary, std::uint64_t mostBytes)
+{
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(
     int(layout.dimensions[0]), int(layout.dimensions[1]), int(layout.dimensions[2]));
   const auto scalars =
     vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(layout.scalarType));
-  void* const bytes = KeepMapped(std::move(file), voxels.mostMemoryBytes);
+  void* const bytes = KeepPaged(std::move(voxels), mostBytes);
   scalars->SetVoidArray(
     bytes, image->GetNumberOfPoints(), 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
-  scalars->SetArrayFreeFunction(ReleaseMapped);
+  scalars->SetArrayFreeFunction(ReleasePaged);
   scalars->SetName("scalars");
-  MappedFileAt(bytes)->Describe(summary, scalars->GetMTime());
+  PagedVoxelsAt(bytes)->Describe(std::move(summary), scalars->GetMTime());
   image->GetPointData()->SetScalars(scalars);
   return image;
 }

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Readers_MappedVoxels_h
 #define Varimarch_Readers_MappedVoxels_h
 
-#include "Readers/SummaryFile.h"
+#include "Readers/PagedVoxels.h"
 #include "Readers/VoxelFile.h"
 
 #include <cstdint>
@@ -17,12 +17,26 @@ namespace varimarch
 std::string ObstacleToMapping(
   const VoxelFile& file, const VoxelLayout& layout, std::uint64_t offset);
 
+/// Voxels that a file has as they are in memory.
+struct VoxelsInFile
+{
+  std::string path;
+  VoxelLayout layout;   ///< one component of a type of VoxelTypeOf
+  std::uint64_t offset; ///< offset of the first voxel in the file
+  std::uint64_t mostMemoryBytes;
+};
+
 /// An image of voxels that stay in their file, at the origin, with spacing 1. Its scalars own the
 /// mapped file, and know the summary.
 /// @throws std::runtime_error if the file cannot be mapped, or the memory does not suffice for
 /// what belongs to its bricks
 /// @throws ReadCancelled
-vtkSmartPointer<vtkImageData> MappedImage(const SummarizedVoxels& voxels, ReadProgress& progress);
+vtkSmartPointer<vtkImageData> MappedImage(const VoxelsInFile& voxels, ReadProgress& progress);
+
+/// The same of any paged voxels.
+/// @param mostBytes  see KeepPaged
+vtkSmartPointer<vtkImageData> PagedImage(std::unique_ptr<PagedVoxels> voxels,
+  const VoxelLayout& layout, std::shared_ptr<const VolumeSummary> summary, std::uint64_t mostBytes);
 
 }
 

@@ -23,7 +23,9 @@ Volume ReadCopies(const Unpacked& copies, const ReadOptions& options, ReadProgre
 {
   try
   {
-    Volume volume = ReadUnrectified(copies.Path(), options, progress);
+    ReadOptions ofCopies = options;
+    ofCopies.areCopies = true;
+    Volume volume = ReadUnrectified(copies.Path(), ofCopies, progress);
     for (std::string& warning : volume.warnings)
     {
       warning = copies.WithOriginalPaths(warning);

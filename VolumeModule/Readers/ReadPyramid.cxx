@@ -1,10 +1,13 @@
 // Volumes in levels, read as a whole: OME-Zarr and HDF5.
-#include "Readers/Decoder/DecodedPyramid.h"
+#include "Readers/ChunkedVoxels.h"
+#include "Readers/Decoder/DecodedLevel.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/MappedVoxels.h"
 #include "Readers/Memory.h"
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Pyramids/ZarrHeader.h"
+#include "Readers/SummaryFile.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>
@@ -35,13 +38,43 @@ double BytesOf(const VoxelLayout& layout)
   return bytes;
 }
 
-/// The level that was asked for, or the finest that leaves half of the free memory to what is made
-/// of the voxels; the coarsest if none does.
+/// Voxels that may be read as a whole: half of the memory, or of what is free of it, is left to
+/// what is made of them.
+double MostReadBytes(const ReadOptions& options)
+{
+  return 0.5 * std::min(FreeMemoryBytes(), double(MostMemoryBytes(options)));
+}
+
+/// The reason why the voxels of a level cannot stay in their chunks until they are needed, as the
+/// rest of a sentence about them; empty if they can.
+std::string ObstacleToPaging(const PyramidForm& form, std::size_t level, const ReadOptions& options)
+{
+  const std::optional<VoxelType> type = VoxelTypeOf(form.scalarType);
+  if (!type)
+  {
+    return "are not of 8 bits, 16 bits or type float";
+  }
+  if (options.areCopies)
+  {
+    return "are packed in an archive";
+  }
+  const std::uint64_t mostBytes = MostMemoryBytes(options);
+  const std::uint64_t ofBricks = BytesOfBricks(form.levels[level], *type);
+  if (ofBricks > mostBytes / 2)
+  {
+    return "have bricks for which " + ByteText(2.0 * double(ofBricks)) + " are needed";
+  }
+  return ChunkedVoxels::Obstacle(
+    form.levels[level], std::size_t(vtkDataArray::GetDataTypeSize(form.scalarType)), mostBytes);
+}
+
+/// The level that was asked for, or the finest that can be read or stay in its chunks; the coarsest
+/// if none can.
 std::size_t LevelToRead(
-  const std::string& path, const PyramidForm& form, const std::optional<int>& wanted)
+  const std::string& path, const PyramidForm& form, const ReadOptions& options)
 {
   const std::size_t count = form.levels.size();
-  if (wanted)
+  if (const std::optional<int> wanted = options.level)
   {
     if (*wanted < 0 || std::size_t(*wanted) >= count)
     {
@@ -50,9 +83,10 @@ std::size_t LevelToRead(
     }
     return std::size_t(*wanted);
   }
-  const double mostBytes = 0.5 * FreeMemoryBytes();
+  const double mostBytes = MostReadBytes(options);
   std::size_t level = 0;
-  while (level + 1 < count && BytesOf(LayoutOf(form, level)) > mostBytes)
+  while (level + 1 < count && BytesOf(LayoutOf(form, level)) > mostBytes &&
+    !ObstacleToPaging(form, level, options).empty())
   {
     ++level;
   }
@@ -146,27 +180,86 @@ private:
   vtkImageData* image;
 };
 
+struct LevelImage
+{
+  vtkSmartPointer<vtkImageData> image;
+  std::int64_t missingChunks;
+};
+
+/// A level that is read as a whole.
+LevelImage ReadLevel(
+  const std::string& path, const DecodedPyramid& pyramid, std::size_t level, ReadProgress& progress)
+{
+  const VoxelLayout layout = LayoutOf(pyramid.Form(), level);
+  CheckedByteCount(path, layout);
+  LevelImage read = { AllocatedImage(layout), 0 };
+  read.missingChunks = SlabReading(pyramid, level, read.image).Read(progress);
+  return read;
+}
+
+/// A level whose chunks are read when they are needed.
+LevelImage PagedLevel(const PyramidOrder& order,
+  const std::shared_ptr<const DecodedPyramid>& pyramid, std::size_t level, ReadProgress& progress)
+{
+  auto source = std::make_unique<DecodedLevel>(pyramid, int(level));
+  const std::int64_t missing = source->MissingChunks();
+  const VoxelLayout layout = LayoutOf(pyramid->Form(), level);
+  const std::uint64_t mostBytes = MostMemoryBytes(order.options);
+  const std::string number = std::to_string(level) + "." + std::to_string(order.options.channel);
+  const auto summary = KeptSummary({ *source, layout.scalarType, order.path,
+                                     order.path + "." + number, source->Stamp(), mostBytes },
+    progress);
+  return { PagedImage(std::make_unique<ChunkedVoxels>(std::move(source), order.path, mostBytes),
+             layout, summary, mostBytes),
+    missing };
+}
+
+/// Reads a level, or leaves it in its chunks if it does not fit.
+LevelImage ImageOfLevel(const PyramidOrder& order,
+  const std::shared_ptr<const DecodedPyramid>& pyramid, std::size_t level, ReadProgress& progress)
+{
+  const VoxelLayout layout = LayoutOf(pyramid->Form(), level);
+  if (BytesOf(layout) <= MostReadBytes(order.options))
+  {
+    return ReadLevel(order.path, *pyramid, level, progress);
+  }
+  const std::string obstacle = ObstacleToPaging(pyramid->Form(), level, order.options);
+  if (obstacle.empty())
+  {
+    return PagedLevel(order, pyramid, level, progress);
+  }
+  const auto mostBytes = double(MostMemoryBytes(order.options));
+  if (BytesOf(layout) > mostBytes)
+  {
+    FailToRead(order.path,
+      "voxels that fit in the memory of " + ByteText(mostBytes) +
+        ", or that can stay in their chunks",
+      Text(layout) + " (" + ByteText(BytesOf(layout)) + ") that " + obstacle +
+        "; choose a coarser level");
+  }
+  return ReadLevel(order.path, *pyramid, level, progress);
+}
+
 Volume ReadPyramid(const PyramidOrder& order, ReadProgress& progress)
 {
-  const DecodedPyramid pyramid(order, progress);
-  const PyramidForm& form = pyramid.Form();
-  const std::size_t level = LevelToRead(order.path, form, order.options.level);
-  const VoxelLayout layout = LayoutOf(form, level);
-  CheckedByteCount(order.path, layout);
+  const auto pyramid = std::make_shared<const DecodedPyramid>(order, progress);
+  const PyramidForm& form = pyramid->Form();
+  const std::size_t level = LevelToRead(order.path, form, order.options);
   Volume volume;
   volume.windowLevel = form.windowLevel;
   volume.warnings = form.warnings;
   if (level > 0 && !order.options.level)
   {
-    volume.warnings.push_back("Level " + std::to_string(level) + ", " + Text(layout) +
-      ", was read, since the finest, " + Text(LayoutOf(form, 0)) +
-      ", does not fit in half of the free memory.");
+    volume.warnings.push_back("Level " + std::to_string(level) + ", " +
+      Text(LayoutOf(form, level)) + ", was read: the voxels of the finest, " +
+      Text(LayoutOf(form, 0)) + ", need more than half of the free memory and " +
+      ObstacleToPaging(form, 0, order.options) + ".");
   }
-  volume.image = AllocatedImage(layout);
-  const std::int64_t missing = SlabReading(pyramid, level, volume.image).Read(progress);
-  if (missing > 0)
+  const LevelImage read = ImageOfLevel(order, pyramid, level, progress);
+  volume.image = read.image;
+  if (read.missingChunks > 0)
   {
-    volume.warnings.push_back(std::to_string(missing) +
+    volume.warnings.push_back(std::to_string(read.missingChunks) +
       " chunks are not in the folder; their voxels have the fill value of the array.");
   }
   PlaceImage(order.path, form.geometries[level], volume.image);

@@ -1,7 +1,7 @@
 #include "Readers/SummaryFile.h"
 
 #include "Readers/FileError.h"
-#include "Readers/RawVoxelSource.h"
+#include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>
 #include <vtksys/MD5.h>
@@ -52,16 +52,15 @@ std::string SamplesOf(const std::string& path, std::uint64_t fileBytes)
   return samples;
 }
 
+VoxelLayout LayoutOf(const SummarizedVoxels& voxels)
+{
+  return { voxels.source.Levels().front().dimensions, voxels.scalarType };
+}
+
 /// The text that tells this content from any other.
 std::string KeyOf(const SummarizedVoxels& voxels)
 {
-  const std::uint64_t fileBytes = ReadableFileSize(voxels.path);
-  struct stat status = {};
-  stat(voxels.path.c_str(), &status);
-  return Text(voxels.layout) + " at " + std::to_string(voxels.offset) + " of " +
-    std::to_string(fileBytes) + " bytes, changed " + std::to_string(status.st_mtim.tv_sec) + "." +
-    std::to_string(status.st_mtim.tv_nsec) + ", samples " +
-    DigestOf(SamplesOf(voxels.path, fileBytes)) + "\n";
+  return Text(LayoutOf(voxels)) + " " + voxels.stamp + "\n";
 }
 
 /// A part of a summary that is stored.
@@ -99,7 +98,7 @@ bool ArePossible(const std::array<double, 2>& extremes, int scalarType)
 
 /// The stored summary; null if it is of other content, or damaged.
 std::shared_ptr<VolumeSummary> Restored(
-  const std::string& path, const std::string& key, const RawVoxelSource& source, int scalarType)
+  const std::string& path, const std::string& key, const BrickSource& source, int scalarType)
 {
   std::ifstream file(path, std::ios::binary);
   const std::string expected = Title + key;
@@ -182,18 +181,41 @@ std::vector<std::string> PlacesOf(const std::string& path)
   return places;
 }
 
-void CheckMemory(const SummarizedVoxels& voxels, const RawVoxelSource& source)
+void CheckMemory(const SummarizedVoxels& voxels)
 {
-  const std::uint64_t needed = BytesOfBricks(source.Levels().front(), source.Type());
+  const std::uint64_t needed = BytesOfBricks(voxels.source.Levels().front(), voxels.source.Type());
   if (needed > voxels.mostMemoryBytes / 2)
   {
     FailToRead(voxels.path,
       "a memory of at least " + ByteText(2.0 * double(needed)) + " for the bricks of " +
-        Text(voxels.layout),
+        Text(LayoutOf(voxels)),
       ByteText(double(voxels.mostMemoryBytes)));
   }
 }
 
+/// True if making a summary, which has a tenth of the voxels' bytes, needs more reading than it.
+bool IsWorthKeeping(const SummarizedVoxels& voxels)
+{
+  const auto& size = voxels.source.Levels().front().dimensions;
+  const BrickSource::Box stored = voxels.source.Occupied({ { 0, 0, 0 }, size });
+  double readPart = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    readPart *= double(stored.upper[axis] - stored.lower[axis]) / double(size[axis]);
+  }
+  return !voxels.stamp.empty() && readPart > 0.1;
+}
+
+}
+
+std::string StampOfFile(const std::string& path, std::uint64_t offset)
+{
+  const std::uint64_t fileBytes = ReadableFileSize(path);
+  struct stat status = {};
+  stat(path.c_str(), &status);
+  return "at " + std::to_string(offset) + " of " + std::to_string(fileBytes) + " bytes, changed " +
+    std::to_string(status.st_mtim.tv_sec) + "." + std::to_string(status.st_mtim.tv_nsec) +
+    ", samples " + DigestOf(SamplesOf(path, fileBytes));
 }
 
 std::string CacheFolder()
@@ -209,20 +231,22 @@ std::string CacheFolder()
 std::shared_ptr<const VolumeSummary> KeptSummary(
   const SummarizedVoxels& voxels, ReadProgress& progress)
 {
-  const RawVoxelSource source(voxels.path, voxels.layout, voxels.offset);
-  CheckMemory(voxels, source);
+  CheckMemory(voxels);
   const std::string key = KeyOf(voxels);
-  const std::vector<std::string> places = PlacesOf(voxels.path);
+  const std::vector<std::string> places = PlacesOf(voxels.place);
   for (const std::string& place : places)
   {
-    if (auto summary = Restored(place, key, source, voxels.layout.scalarType))
+    auto summary =
+      voxels.stamp.empty() ? nullptr : Restored(place, key, voxels.source, voxels.scalarType);
+    if (summary)
     {
       return summary;
     }
   }
-  const auto summary = std::make_shared<VolumeSummary>(
-    SummaryOf(source, voxels.mostMemoryBytes / 8, [&](double part) { progress.Report(part); }));
-  if (!Store(places.front(), voxels.path, key, *summary) && places.size() > 1)
+  const auto summary = std::make_shared<VolumeSummary>(SummaryOf(
+    voxels.source, voxels.mostMemoryBytes / 8, [&](double part) { progress.Report(part); }));
+  if (IsWorthKeeping(voxels) && !Store(places.front(), voxels.path, key, *summary) &&
+    places.size() > 1)
   {
     std::error_code ignored;
     std::filesystem::create_directories(CacheFolder(), ignored);

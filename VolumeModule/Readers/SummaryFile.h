@@ -3,7 +3,6 @@
 
 #include "Core/Fields/VolumeSummary.h"
 #include "Readers/VolumeFile.h"
-#include "Readers/VoxelLayout.h"
 
 #include <cstdint>
 #include <memory>
@@ -12,18 +11,24 @@
 namespace varimarch
 {
 
-/// Voxels of a file whose summary is wanted.
+/// Voxels of a file or folder whose summary is wanted.
 struct SummarizedVoxels
 {
-  std::string path;
-  VoxelLayout layout;   ///< one component of a type of VoxelTypeOf
-  std::uint64_t offset; ///< offset of the first voxel in the file
+  const BrickSource& source;
+  int scalarType;    ///< the VTK type of the source's voxels
+  std::string path;  ///< the file or folder
+  std::string place; ///< path of the kept summary, without its ending
+  std::string stamp; ///< differs after the voxels were written; empty if that is not known
   std::uint64_t mostMemoryBytes;
 };
 
-/// The summary of a file's voxels. It is kept beside the file, as its name with
-/// ".varimarch-ranges", or in the user's folder for such files if the file's cannot be written, and
-/// is made anew unless size, time and samples of the file are those that it was made of.
+/// A text that tells the voxels of a file from others: its size and time, and samples of it.
+/// @param offset  offset of the first voxel
+std::string StampOfFile(const std::string& path, std::uint64_t offset);
+
+/// The summary of voxels. If making it needs more reading than the summary itself, it is kept
+/// beside the file, as `place` with ".varimarch-ranges", or in the user's folder for such files if
+/// the file's cannot be written, and is made anew when the stamp differs.
 /// @throws std::runtime_error if the file cannot be read, or its bricks need more than half of the
 /// memory
 /// @throws ReadCancelled

@@ -116,9 +116,10 @@ struct ReadOptions
   /// quarter of it stay in their file where that is possible.
   std::uint64_t mostMemoryBytes = 0;
   /// The level of a file with several to read, the finest of which is 0; empty for the finest that
-  /// fits in the memory that is free.
+  /// fits in the memory that is free, or can stay in its chunks.
   std::optional<int> level;
-  int channel = 0; ///< the channel to read of a file with levels and several channels
+  int channel = 0;        ///< the channel to read of a file with levels and several channels
+  bool areCopies = false; ///< true for unpacked files, which are removed once they were read
 
   bool Rectifies(const Volume& volume) const
   {

@@ -29,7 +29,7 @@ def read(path, level=None, channel=0, memory=None, time=None, files_are_times=Fa
     the most images is read. For raw voxels, other series, and metadata, use vtkVolumeFileReader.
 
     level: the level to read of OME-Zarr, Imaris or BigDataViewer, the finest of which is 0; default:
-        the finest that fits in half of the free memory.
+        the finest that fits in half of the free memory, or that can be drawn from its chunks.
     channel: the channel to read of these formats, counted from 0.
     memory: bytes of memory that the program may use; default: all of the machine's. Voxels that need
         more than a quarter of it stay in their file, if that has them uncompressed, as single numbers

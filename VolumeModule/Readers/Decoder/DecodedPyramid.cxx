@@ -98,6 +98,35 @@ void DecodedPyramid::Read(int level, const Box& box, void* voxels) const
 std::int64_t DecodedPyramid::ReadStored(
   int level, const Box& box, void* voxels, ReadProgress& progress) const
 {
+  const std::int64_t bytes =
+    VoxelCount(box) * std::int64_t(vtkDataArray::GetDataTypeSize(this->form.scalarType));
+  std::int64_t missing = 0;
+  this->Ask(progress,
+    [&](Conversation& conversation)
+    {
+      conversation.Give(Packed(Job::ReadBox, FreeJobMemory(), this->order, level, box));
+      TakeValues(conversation.Result(double(bytes)), missing);
+      conversation.TakeBytes(voxels, std::uint64_t(bytes));
+    });
+  return missing;
+}
+
+StoredChunks DecodedPyramid::Stored(int level) const
+{
+  ReadProgress silent([](double) { return true; });
+  StoredChunks chunks;
+  this->Ask(silent,
+    [&](Conversation& conversation)
+    {
+      conversation.Give(Packed(Job::FindChunks, FreeJobMemory(), this->order, level));
+      TakeValues(conversation.Result(), chunks);
+    });
+  return chunks;
+}
+
+void DecodedPyramid::Ask(
+  ReadProgress& progress, const std::function<void(Conversation&)>& talk) const
+{
   std::unique_ptr<DecoderProcess> process;
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
@@ -111,7 +140,8 @@ std::int64_t DecodedPyramid::ReadStored(
   {
     try
     {
-      return this->TryToRead(level, box, voxels, progress, std::move(process));
+      this->TryToAsk(progress, talk, std::move(process));
+      return;
     }
     catch (const DecoderFailure&)
     {
@@ -120,7 +150,7 @@ std::int64_t DecodedPyramid::ReadStored(
   }
   try
   {
-    return this->TryToRead(level, box, voxels, progress, nullptr);
+    this->TryToAsk(progress, talk, nullptr);
   }
   catch (const DecoderFailure& failure)
   {
@@ -128,24 +158,18 @@ std::int64_t DecodedPyramid::ReadStored(
   }
 }
 
-std::int64_t DecodedPyramid::TryToRead(int level, const Box& box, void* voxels,
-  ReadProgress& progress, std::unique_ptr<DecoderProcess> process) const
+void DecodedPyramid::TryToAsk(ReadProgress& progress,
+  const std::function<void(Conversation&)>& talk, std::unique_ptr<DecoderProcess> process) const
 {
   DecoderSession session(PatienceSeconds());
   session.Return(process ? std::move(process) : std::make_unique<DecoderProcess>());
-  const std::int64_t bytes =
-    VoxelCount(box) * std::int64_t(vtkDataArray::GetDataTypeSize(this->form.scalarType));
-  std::int64_t missing = 0;
   {
     Conversation conversation(this->order.path, progress);
-    conversation.Give(Packed(Job::ReadBox, FreeJobMemory(), this->order, level, box));
-    TakeValues(conversation.Result(double(bytes)), missing);
-    conversation.TakeBytes(voxels, std::uint64_t(bytes));
+    talk(conversation);
     conversation.Finish();
   }
   const std::lock_guard<std::mutex> lock(this->mutex);
   this->idle.push_back(session.Idle());
-  return missing;
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include "Readers/Pyramids/VoxelPyramid.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -12,6 +13,7 @@
 namespace varimarch
 {
 
+class Conversation;
 class DecoderProcess;
 
 /// A volume in levels that decoders read, one for each thread that reads at the same time. It is in
@@ -39,9 +41,14 @@ public:
   /// @throws ReadCancelled
   std::int64_t ReadStored(int level, const Box& box, void* voxels, ReadProgress& progress) const;
 
+  /// The chunks of a level that are stored.
+  StoredChunks Stored(int level) const;
+
 private:
-  std::int64_t TryToRead(int level, const Box& box, void* voxels, ReadProgress& progress,
-    std::unique_ptr<DecoderProcess> idle) const;
+  /// Has a conversation with a decoder that is idle, or else with a new one.
+  void Ask(ReadProgress& progress, const std::function<void(Conversation&)>& talk) const;
+  void TryToAsk(ReadProgress& progress, const std::function<void(Conversation&)>& talk,
+    std::unique_ptr<DecoderProcess> process) const;
 
   PyramidOrder order;
   PyramidForm form;

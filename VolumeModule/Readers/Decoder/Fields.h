@@ -122,6 +122,12 @@ void Fields(Wire& wire, PyramidForm& form)
 }
 
 template <class Wire>
+void Fields(Wire& wire, StoredChunks& chunks)
+{
+  wire(chunks.areThere, chunks.fill, chunks.stamp);
+}
+
+template <class Wire>
 void Fields(Wire& wire, UnpackingOrder& order)
 {
   wire(order.path, order.folder, order.spaceBytes);

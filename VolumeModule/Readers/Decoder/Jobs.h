@@ -20,6 +20,7 @@ enum class Job : std::uint32_t
   Unpack,       ///< UnpackingOrder; UnpackedContent
   Decompress,   ///< path, offset; only bytes
   OpenPyramid,  ///< PyramidOrder; PyramidForm
+  FindChunks,   ///< PyramidOrder, level; StoredChunks
   ReadBox,      ///< PyramidOrder, level, box; number of missing chunks, voxels
 };
 

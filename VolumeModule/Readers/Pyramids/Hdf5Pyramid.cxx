@@ -38,6 +38,8 @@ public:
 
   std::int64_t Read(int level, const BrickSource::Box& box, void* voxels) override;
 
+  StoredChunks Stored(int level) const override;
+
 private:
   void TakeImaris();
   void TakeBigDataViewer();
@@ -293,6 +295,14 @@ void Hdf5Pyramid::TakeDataSet(const std::string& name)
       " data sets; only the largest, " + name + ", was read (another is opened as " +
       this->path.file + "/NAME).");
   }
+}
+
+/// The file says which chunks it has, but rarely lacks one.
+StoredChunks Hdf5Pyramid::Stored(int) const
+{
+  const auto written = fs::last_write_time(this->path.file).time_since_epoch().count();
+  return { {}, 0.0,
+    std::to_string(fs::file_size(this->path.file)) + " bytes of " + std::to_string(written) };
 }
 
 std::int64_t Hdf5Pyramid::Read(int number, const BrickSource::Box& box, void* voxels)

@@ -24,6 +24,17 @@ struct PyramidForm
   std::vector<std::string> warnings;
 };
 
+/// The chunks of a level that a file or folder has.
+struct StoredChunks
+{
+  /// 1 for each chunk that is there, 0 for others, x fastest; empty if all are there, or if there
+  /// are too many to look for them.
+  std::vector<std::uint8_t> areThere;
+  double fill = 0.0; ///< the value of voxels of the others
+  /// A text that differs after something was written to the level; empty if that is not known.
+  std::string stamp;
+};
+
 /// A file or folder with a volume in levels, cut into chunks, that a decoder has opened. It keeps
 /// no voxels.
 class VoxelPyramid
@@ -42,6 +53,9 @@ public:
   /// @returns the number of chunks that the file does not have, whose voxels have its fill value
   /// @throws std::runtime_error if the voxels cannot be read
   virtual std::int64_t Read(int level, const BrickSource::Box& box, void* voxels) = 0;
+
+  /// Looks for the chunks of a level.
+  virtual StoredChunks Stored(int level) const = 0;
 
 protected:
   PyramidForm form;

@@ -1,12 +1,15 @@
 #include "Readers/Pyramids/ZarrArray.h"
 
 #include "Readers/FileError.h"
-#include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/VoxelFile.h"
 
 #include <vtkByteSwap.h>
+#include <vtkSetGet.h>
 
 #include <tbb/parallel_for.h>
+#include <zlib.h>
+
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <atomic>
@@ -25,6 +28,41 @@ std::int64_t Along(const ZarrSelection& selection, int axis, const std::vector<s
 {
   const std::size_t place = selection.axes[axis];
   return place == ZarrSelection::NoAxis ? 1 : sizes[place];
+}
+
+/// A check sum of the sizes and times of files.
+class FileSum
+{
+public:
+  /// @returns true if there is such a file
+  bool Add(const std::string& path, std::uint64_t number)
+  {
+    struct stat status = {};
+    if (stat(path.c_str(), &status) != 0)
+    {
+      return false;
+    }
+    const std::array<std::uint64_t, 4> facts = { number, std::uint64_t(status.st_size),
+      std::uint64_t(status.st_mtim.tv_sec), std::uint64_t(status.st_mtim.tv_nsec) };
+    this->sum = crc32_z(this->sum, reinterpret_cast<const Bytef*>(facts.data()), sizeof(facts));
+    return true;
+  }
+
+  std::string Text() const { return std::to_string(this->sum); }
+
+private:
+  uLong sum = crc32_z(0, nullptr, 0);
+};
+
+/// The value that bytes of a type hold.
+double ValueOf(const std::vector<char>& bytes, int scalarType)
+{
+  switch (scalarType)
+  {
+    vtkTemplateMacro(VTK_TT value; std::memcpy(&value, bytes.data(), sizeof(value));
+                     return double(value));
+  }
+  return 0.0;
 }
 
 void SwapToHost(bool isBigEndian, std::int64_t valueBytes, std::vector<char>& bytes)
@@ -180,6 +218,36 @@ std::int64_t ZarrArray::Read(
     [&](std::size_t i)
     { missing += this->ReadPart(parts[i], selection, static_cast<char*>(voxels)) ? 0 : 1; });
   return missing;
+}
+
+StoredChunks ZarrArray::Stored(
+  const ZarrSelection& selection, const std::array<std::int64_t, 3>& size) const
+{
+  std::array<std::int64_t, 3> count;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t length = Along(selection, axis, this->header.chunk);
+    count[axis] = (size[axis] + length - 1) / length;
+  }
+  StoredChunks chunks;
+  chunks.fill = ValueOf(this->header.fill, this->header.scalarType);
+  constexpr double MostChunks = 4e6; // several seconds of looking
+  if (double(count[0]) * double(count[1]) * double(count[2]) > MostChunks)
+  {
+    return chunks;
+  }
+  FileSum sum;
+  sum.Add((fs::path(this->folder) / ZarrArrayFile).string(), 0);
+  const BrickSource::Box all = { { 0, 0, 0 }, size };
+  for (std::int64_t i = 0; i < count[0] * count[1] * count[2]; ++i)
+  {
+    const std::array<std::int64_t, 3> index = { i % count[0], i / count[0] % count[1],
+      i / (count[0] * count[1]) };
+    const std::string path = this->PartIn(index, selection, all).path;
+    chunks.areThere.push_back(sum.Add(path, std::uint64_t(i) + 1) ? 1 : 0);
+  }
+  chunks.stamp = sum.Text();
+  return chunks;
 }
 
 }

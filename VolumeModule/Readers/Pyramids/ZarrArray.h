@@ -2,6 +2,7 @@
 #define Varimarch_Readers_Pyramids_ZarrArray_h
 
 #include "Core/Blocks/BrickSource.h"
+#include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Pyramids/ZarrHeader.h"
 
 #include <array>
@@ -39,6 +40,11 @@ public:
   /// @throws std::runtime_error if a chunk is damaged or cannot be in memory
   std::int64_t Read(
     const ZarrSelection& selection, const BrickSource::Box& box, void* voxels) const;
+
+  /// Looks for the files of the chunks that a volume needs.
+  /// @param size  the number of the volume's voxels along each axis
+  StoredChunks Stored(
+    const ZarrSelection& selection, const std::array<std::int64_t, 3>& size) const;
 
 private:
   /// The part of a box that is in one chunk.

@@ -27,6 +27,13 @@ public:
     return this->arrays[std::size_t(level)].Read(this->selections[std::size_t(level)], box, voxels);
   }
 
+  StoredChunks Stored(int level) const override
+  {
+    const auto number = std::size_t(level);
+    return this->arrays[number].Stored(
+      this->selections[number], this->form.levels[number].dimensions);
+  }
+
 private:
   void AddMultiscale(const nlohmann::json& attributes);
   void AddLevel(const std::string& folder, const ZarrAxes& axes);

@@ -166,11 +166,30 @@ VoxelPyramid& OpenedPyramid(const PyramidOrder& order)
   return *opened;
 }
 
+/// Fails if a level that the reader knows of is gone.
+void CheckLevel(const PyramidOrder& order, const PyramidForm& form, int level)
+{
+  if (level < 0 || std::size_t(level) >= form.levels.size())
+  {
+    FailToRead(order.path, "the level " + std::to_string(level), "a file that has changed");
+  }
+}
+
 void OpenPyramid(WireReader& arguments, Replies& replies)
 {
   PyramidOrder order;
   arguments(order);
   replies.Send(MessageKind::Result, Packed(OpenedPyramid(order).Form()));
+}
+
+void FindChunks(WireReader& arguments, Replies& replies)
+{
+  PyramidOrder order;
+  int level = 0;
+  arguments(order, level);
+  const VoxelPyramid& pyramid = OpenedPyramid(order);
+  CheckLevel(order, pyramid.Form(), level);
+  replies.Send(MessageKind::Result, Packed(pyramid.Stored(level)));
 }
 
 void ReadBox(WireReader& arguments, Replies& replies)
@@ -181,8 +200,8 @@ void ReadBox(WireReader& arguments, Replies& replies)
   arguments(order, level, box);
   VoxelPyramid& pyramid = OpenedPyramid(order);
   const PyramidForm& form = pyramid.Form();
-  if (level < 0 || std::size_t(level) >= form.levels.size() ||
-    !LiesIn(box, form.levels[std::size_t(level)]))
+  CheckLevel(order, form, level);
+  if (!LiesIn(box, form.levels[std::size_t(level)]))
   {
     FailToRead(order.path, "a box in one of the levels", "a file that has changed");
   }
@@ -209,6 +228,7 @@ void PerformJob(const std::string& job, Replies& replies)
     { Job::Unpack, UnpackPacked },
     { Job::Decompress, Decompress },
     { Job::OpenPyramid, OpenPyramid },
+    { Job::FindChunks, FindChunks },
     { Job::ReadBox, ReadBox },
   };
   WireReader arguments(job);

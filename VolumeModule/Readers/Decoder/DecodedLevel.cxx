@@ -1,0 +1,87 @@
+#include "Readers/Decoder/DecodedLevel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace varimarch
+{
+namespace
+{
+
+std::array<std::int64_t, 3> ChunkCount(const BrickSource::Level& level)
+{
+  std::array<std::int64_t, 3> count;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    count[axis] = (level.dimensions[axis] + level.chunk[axis] - 1) / level.chunk[axis];
+  }
+  return count;
+}
+
+BrickSource::Box Common(const BrickSource::Box& one, const BrickSource::Box& other)
+{
+  BrickSource::Box common;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    common.lower[axis] = std::max(one.lower[axis], other.lower[axis]);
+    common.upper[axis] = std::min(one.upper[axis], other.upper[axis]);
+  }
+  return common;
+}
+
+}
+
+DecodedLevel::DecodedLevel(std::shared_ptr<const DecodedPyramid> newPyramid, int level)
+  : pyramid(std::move(newPyramid))
+  , level(level)
+  , levels({ this->pyramid->Levels()[std::size_t(level)] })
+  , chunks(this->pyramid->Stored(level))
+{
+  this->levels.front().scale = { 1.0, 1.0, 1.0 };
+  const std::array<std::int64_t, 3> count = ChunkCount(this->levels.front());
+  if (std::int64_t(this->chunks.areThere.size()) != count[0] * count[1] * count[2])
+  {
+    this->chunks.areThere.clear();
+  }
+}
+
+BrickSource::Box DecodedLevel::Occupied(const Box& box) const
+{
+  if (this->chunks.areThere.empty())
+  {
+    return box;
+  }
+  const Level& form = this->levels.front();
+  const std::array<std::int64_t, 3> count = ChunkCount(form);
+  Box stored = { box.upper, box.lower };
+  std::array<std::int64_t, 3> at;
+  const auto chunkOf = [&](const std::array<std::int64_t, 3>& voxel, int axis)
+  { return voxel[axis] / form.chunk[axis]; };
+  const std::array<std::int64_t, 3> last = { box.upper[0] - 1, box.upper[1] - 1, box.upper[2] - 1 };
+  for (at[2] = chunkOf(box.lower, 2); at[2] <= chunkOf(last, 2); ++at[2])
+  {
+    for (at[1] = chunkOf(box.lower, 1); at[1] <= chunkOf(last, 1); ++at[1])
+    {
+      for (at[0] = chunkOf(box.lower, 0); at[0] <= chunkOf(last, 0); ++at[0])
+      {
+        const bool isThere =
+          this->chunks.areThere[std::size_t((at[2] * count[1] + at[1]) * count[0] + at[0])] != 0;
+        for (int axis = 0; isThere && axis < 3; ++axis)
+        {
+          const std::int64_t begin = at[axis] * form.chunk[axis];
+          stored.lower[axis] = std::min(stored.lower[axis], begin);
+          stored.upper[axis] = std::max(stored.upper[axis], begin + form.chunk[axis]);
+        }
+      }
+    }
+  }
+  const bool isEmpty = stored.lower[0] >= stored.upper[0];
+  return isEmpty ? Box{ box.lower, box.lower } : Common(stored, box);
+}
+
+std::int64_t DecodedLevel::MissingChunks() const
+{
+  return std::count(this->chunks.areThere.begin(), this->chunks.areThere.end(), 0);
+}
+
+}
