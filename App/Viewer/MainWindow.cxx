@@ -176,6 +176,7 @@ void MainWindow::MakeFileMenu()
   this->recentMenu->setObjectName("recent");
   connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
   this->MakeAskAtStartAction(file);
+  this->MakeMemoryMenu(file->addMenu(tr("Memor&y for volumes")));
   this->MakeArchiveActions(file);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();

@@ -100,6 +100,7 @@ private:
   void MakeStatusBar();
   static QString FileFilter();
   void MakeAskAtStartAction(QMenu* menu);
+  void MakeMemoryMenu(QMenu* menu);
   void ChooseFile();
   void ChooseFolder();
   void ChooseRawFile();

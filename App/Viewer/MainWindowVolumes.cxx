@@ -1,4 +1,5 @@
-// The part of MainWindow that adds further scans to the one that is shown.
+// The part of MainWindow that adds further scans to the one that is shown, and bounds the memory of
+// all.
 
 #include "Viewer/MainWindow.h"
 
@@ -7,11 +8,14 @@
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Model/MemoryLimit.h"
 
+#include <QActionGroup>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFutureWatcher>
+#include <QMenu>
 #include <QMessageBox>
 #include <QProgressDialog>
 #include <QPushButton>
@@ -178,6 +182,25 @@ void MainWindow::TakeRegistered(int overlay, const Placement& placement)
     [&](Scene& scene) { scene.overlays[overlay].placement = placement; });
   this->statusBar()->showMessage(
     tr("Registered; compare the volumes in the slices before you trust it"));
+}
+
+void MainWindow::MakeMemoryMenu(QMenu* menu)
+{
+  auto* const choices = new QActionGroup(this);
+  for (const int gigabytes : { 0, 2, 4, 8, 16, 32, 64 })
+  {
+    QAction* const action = choices->addAction(
+      menu->addAction(gigabytes == 0 ? tr("&All of the computer's") : tr("%1 GB").arg(gigabytes)));
+    action->setObjectName(QStringLiteral("memory%1").arg(gigabytes));
+    action->setCheckable(true);
+    action->setChecked(gigabytes == ChosenMemoryGigabytes());
+    connect(action, &QAction::triggered, this,
+      [this, gigabytes]
+      {
+        ChooseMemoryGigabytes(gigabytes);
+        this->statusBar()->showMessage(tr("The next volume is read within this memory"));
+      });
+  }
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "Module/PhantomFiles.h"
 #include "SilentFile.h"
+#include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/VolumeLoader.h"
 #include "Waiting.h"
@@ -9,6 +10,8 @@
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
 
 using namespace varimarch;
 
@@ -48,6 +51,21 @@ protected:
 
 const ProceduralSource SmallVolume{ ProceduralKind::Shells, { 16, 16, 16 }, 1 };
 
+}
+
+TEST_F(Loading, LeavesVoxelsInTheirFileThatDoNotFitInTheMemoryOfTheUser)
+{
+  const std::string path = this->folder.Write("large.raw", "");
+  std::filesystem::resize_file(path, 512 << 20);
+  FileSource source{ path, RawLayout{ { 1024, 1024, 512 } } };
+  ChooseMemoryGigabytes(2);
+  this->loader.Load(source);
+  ASSERT_TRUE(this->loaded.wait(10 * MostMilliseconds));
+  ChooseMemoryGigabytes(0);
+  const auto study = this->loaded.first()[1].value<std::shared_ptr<const Study>>();
+  EXPECT_TRUE(study->volume.isOnDisk);
+  const auto kept = this->loaded.first()[0].value<VolumeSource>();
+  EXPECT_EQ(std::get<FileSource>(kept).memoryMegabytes, 0.0) << "belongs to the computer";
 }
 
 TEST_F(Loading, BringsTheVolumeAndItsStatistics)

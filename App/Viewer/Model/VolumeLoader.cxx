@@ -1,5 +1,6 @@
 #include "Viewer/Model/VolumeLoader.h"
 
+#include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/RecentScans.h"
 
 #include <QThread>
@@ -39,6 +40,18 @@ bool IsSegmentation(const SeriesSummary& series)
   return series.modality == "SEG";
 }
 
+// Reads a volume within the memory that the user allows, unless it states its own. A scene does not
+// keep the user's, which belongs to this computer.
+LoadedVolume LoadWithinMemory(VolumeSource source, const LoadObserver& observe)
+{
+  auto* const file = std::get_if<FileSource>(&source);
+  if (file && file->memoryMegabytes <= 0.0)
+  {
+    file->memoryMegabytes = 1e3 * ChosenMemoryGigabytes();
+  }
+  return LoadVolume(source, observe);
+}
+
 // The volume as a study, with labels over it. Labels that cannot be read do not lose the volume.
 std::shared_ptr<const Study> StudyOf(LoadedVolume volume, const std::string& path,
   const std::optional<SceneLabels>& labels, const LoadObserver& observe)
@@ -75,7 +88,7 @@ std::shared_ptr<const Study> WithOverlays(const std::shared_ptr<const Study>& fi
     study.overlays.emplace_back();
     try
     {
-      LoadedVolume volume = LoadVolume(overlay.source, observe);
+      LoadedVolume volume = LoadWithinMemory(overlay.source, observe);
       ImageStatistics statistics(volume.image);
       study.overlays.back() =
         std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
@@ -129,8 +142,8 @@ Found ReadVolume(const VolumeSource& source, const QString& digest,
       file->series = chosen->uid;
     }
   }
-  found.study =
-    StudyOf(LoadVolume(found.source, observe), file ? file->path : std::string(), labels, observe);
+  found.study = StudyOf(
+    LoadWithinMemory(found.source, observe), file ? file->path : std::string(), labels, observe);
   return found;
 }
 
@@ -139,7 +152,7 @@ Found ReadBeside(const std::string& path, const Study& scan, const LoadObserver&
   Found found;
   found.source = FileSource{ path, std::nullopt };
   found.labels.path = path;
-  LoadedVolume volume = LoadVolume(found.source, observe);
+  LoadedVolume volume = LoadWithinMemory(found.source, observe);
   const bool areLabels = !volume.segments.empty();
   try
   {

@@ -2187,6 +2187,22 @@ Masken nicht unterstützt</translation>
         <translation>Lichter</translation>
     </message>
     <message>
+        <source>Memor&amp;y for volumes</source>
+        <translation>Arbeitsspeicher für &amp;Volumen</translation>
+    </message>
+    <message>
+        <source>&amp;All of the computer&apos;s</source>
+        <translation>&amp;Aller dieses Rechners</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>The next volume is read within this memory</source>
+        <translation>Das nächste Volumen wird innerhalb dieses Speichers gelesen</translation>
+    </message>
+    <message>
         <source>&amp;Ask for a scan at start</source>
         <translation>Beim Start nach einer &amp;Aufnahme fragen</translation>
     </message>

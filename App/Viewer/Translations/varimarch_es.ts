@@ -2187,6 +2187,22 @@ no admite máscaras</translation>
         <translation>Luces</translation>
     </message>
     <message>
+        <source>Memor&amp;y for volumes</source>
+        <translation>Memoria para &amp;volúmenes</translation>
+    </message>
+    <message>
+        <source>&amp;All of the computer&apos;s</source>
+        <translation>&amp;Toda la del equipo</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>The next volume is read within this memory</source>
+        <translation>El próximo volumen se leerá dentro de esta memoria</translation>
+    </message>
+    <message>
         <source>&amp;Ask for a scan at start</source>
         <translation>&amp;Preguntar por un estudio al iniciar</translation>
     </message>
