@@ -16,7 +16,7 @@ namespace varimarch
 namespace
 {
 
-void CheckPath(const std::string& path, const std::vector<VolumeSource>& scans)
+void RequireKnownEnding(const std::string& path)
 {
   const auto endings = { ".seg.nrrd", ".nii", ".nii.gz" };
   const bool isKnown = std::any_of(endings.begin(), endings.end(),
@@ -25,16 +25,6 @@ void CheckPath(const std::string& path, const std::vector<VolumeSource>& scans)
   {
     throw std::runtime_error(
       path + ": expected a name that ends with .seg.nrrd, .nii or .nii.gz; choose one");
-  }
-  for (const VolumeSource& scan : scans)
-  {
-    const auto* const file = std::get_if<FileSource>(&scan);
-    std::error_code unknown;
-    if (file && std::filesystem::equivalent(path, file->path, unknown))
-    {
-      throw std::runtime_error(
-        path + ": this is the file of the scan, which is not replaced; choose another name");
-    }
   }
 }
 
@@ -57,10 +47,33 @@ vtkSmartPointer<vtkImageData> ValuesOf(vtkImageData* numbers, const std::vector<
 
 }
 
+void RequireNoFileOf(const std::vector<VolumeSource>& scans, const std::string& path)
+{
+  std::error_code unknown;
+  const auto file = std::filesystem::weakly_canonical(path, unknown);
+  for (const VolumeSource& scan : scans)
+  {
+    const auto* const source = std::get_if<FileSource>(&scan);
+    if (!source || !std::filesystem::exists(file, unknown))
+    {
+      continue;
+    }
+    auto place = std::filesystem::weakly_canonical(source->path, unknown);
+    place = place.has_filename() ? place : place.parent_path(); // "folder/"
+    // All of the path of the scan is the beginning of the path of one of its files.
+    if (std::mismatch(place.begin(), place.end(), file.begin(), file.end()).first == place.end())
+    {
+      throw std::runtime_error(
+        path + ": this is a file of the scan, which is not replaced; choose another name");
+    }
+  }
+}
+
 std::vector<std::string> WriteSegments(const LabelMap& labels, const std::vector<Segment>& segments,
   const std::vector<VolumeSource>& scans, const std::string& path)
 {
-  CheckPath(path, scans);
+  RequireKnownEnding(path);
+  RequireNoFileOf(scans, path);
   LoadedVolume volume;
   volume.image = ValuesOf(labels.image, segments);
   volume.segments = segments;

@@ -9,6 +9,11 @@
 namespace varimarch
 {
 
+/// Refuses to replace a file of a scan.
+/// @throws std::runtime_error with one sentence if the path is the file of a scan, or an existing
+///         file in the folder of one
+void RequireNoFileOf(const std::vector<VolumeSource>& scans, const std::string& path);
+
 /// Writes the segments of a scan as a label map on its grid: a ".seg.nrrd" of 3D Slicer with names
 /// and colours, or NIfTI (".nii", ".nii.gz") with the values alone.
 /// @param segments  of the labels, with the names and colours to write

@@ -2,6 +2,8 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "DicomSegments/DicomSegments.h"
+#include "Readers/Dicom/TaggedSeries.h"
 #include "Scene/SegmentFiles.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SegmentEditor.h"
@@ -10,6 +12,7 @@
 #include "Viewer/Panels/SegmentEditingBox.h"
 #include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/SaveDialog.h"
+#include "Viewer/WaitCursor.h"
 
 #include <QDockWidget>
 #include <QFileDialog>
@@ -27,6 +30,59 @@ namespace varimarch
 
 namespace
 {
+
+// Only DICOM has frames of reference.
+bool IsDicom(const Study& study)
+{
+  return !study.volume.frameOfReference.empty();
+}
+
+struct SavedSegments
+{
+  std::vector<Segment> segments; ///< with the values that they have in the file
+  QStringList losses;            ///< sentences about what the format does not hold
+};
+
+std::vector<VolumeSource> SourcesOf(const Scene& scene)
+{
+  std::vector<VolumeSource> sources = { scene.volume };
+  for (const OverlaidVolume& overlay : scene.overlays)
+  {
+    sources.push_back(overlay.source);
+  }
+  return sources;
+}
+
+// DICOM numbers segments from 1 on.
+SavedSegments SaveDicomSegments(const Scene& scene, const Study& study, const std::string& path)
+{
+  RequireNoFileOf(SourcesOf(scene), path);
+  const auto& scan = std::get<FileSource>(scene.volume);
+  ReadProgress progress([](double) { return true; });
+  const TaggedSeries images(scan.path, scan.series, progress);
+  SavedSegments saved = { scene.labels->segments, {} };
+  WriteDicomSegments(*study.labels, saved.segments, images.Files(), path);
+  for (std::size_t i = 0; i < saved.segments.size(); ++i)
+  {
+    saved.segments[i].value = int(i) + 1;
+  }
+  return saved;
+}
+
+SavedSegments SaveSegments(const Scene& scene, const Study& study, const std::string& path)
+{
+  if (IsDicom(study) && QString::fromStdString(path).endsWith(".dcm", Qt::CaseInsensitive))
+  {
+    return SaveDicomSegments(scene, study, path);
+  }
+  SavedSegments saved = { scene.labels->segments, {} };
+  for (const std::string& loss :
+    WriteSegments(*study.labels, saved.segments, SourcesOf(scene), path))
+  {
+    saved.losses.append(QString::fromStdString(loss));
+  }
+  return saved;
+}
 
 bool MayBelongTo(const LoadedVolume& scan, const SeriesSummary& segmentation)
 {
@@ -54,30 +110,34 @@ QWidget* MainWindow::MakeSegmentsPanel()
 
 bool MainWindow::SaveSegmentation()
 {
-  const QString path = ChosenFileToSave(this, tr("Save the segmentation"),
-    { tr("Segmentation of 3D Slicer (*.seg.nrrd)"), tr("NIfTI (*.nii.gz)") }, "segmentation");
+  const auto study = this->model.CurrentStudy();
+  QStringList filters = { tr("Segmentation of 3D Slicer (*.seg.nrrd)"), tr("NIfTI (*.nii.gz)") };
+  if (IsDicom(*study))
+  {
+    filters.append(tr("DICOM segmentation (*.dcm)"));
+  }
+  const QString path = ChosenFileToSave(this, tr("Save the segmentation"), filters, "segmentation");
   if (path.isEmpty())
   {
     return false;
   }
+  SavedSegments saved;
   try
   {
-    const Scene& scene = this->model.CurrentScene();
-    std::vector<VolumeSource> scans = { scene.volume };
-    for (const OverlaidVolume& overlay : scene.overlays)
-    {
-      scans.push_back(overlay.source);
-    }
-    WriteSegments(
-      *this->model.CurrentStudy()->labels, scene.labels->segments, scans, path.toStdString());
+    const WaitCursor waiting;
+    saved = SaveSegments(this->model.CurrentScene(), *study, path.toStdString());
   }
   catch (const std::exception& problem)
   {
     QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
     return false;
   }
-  this->model.TakeSavedLabels(path.toStdString(), tr("save the segmentation"));
+  this->model.TakeSavedLabels(path.toStdString(), saved.segments, tr("save the segmentation"));
   this->ShowSaved(path);
+  if (!saved.losses.isEmpty())
+  {
+    QMessageBox::information(this, tr("Saved %1").arg(path), saved.losses.join('\n'));
+  }
   return true;
 }
 

@@ -82,6 +82,18 @@ TEST_F(SegmentFiles, KeepValuesOfMoreThanAByte)
   this->ExpectSameVoxels(back);
 }
 
+TEST_F(SegmentFiles, NeverReplaceAFileInTheFolderOfAScan)
+{
+  std::filesystem::create_directories(this->folder.Path("ct/1"));
+  this->folder.Write("ct/1/slice.dcm", "a slice");
+  const VolumeSource scan = FileSource{ this->folder.Path("ct"), std::nullopt };
+  EXPECT_THROW(RequireNoFileOf({ ProceduralSource(), scan }, this->folder.Path("ct/1/slice.dcm")),
+    std::runtime_error);
+  EXPECT_NO_THROW(RequireNoFileOf({ scan }, this->folder.Path("ct/1/segments.dcm")));
+  this->folder.Write("ct2.dcm", "another file");
+  EXPECT_NO_THROW(RequireNoFileOf({ scan }, this->folder.Path("ct2.dcm")));
+}
+
 TEST_F(SegmentFiles, NeverReplaceAScan)
 {
   const std::string path = this->folder.Path("scan.nii");

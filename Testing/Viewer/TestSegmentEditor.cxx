@@ -92,7 +92,8 @@ TEST_F(DrawnSegments, AreUnsavedUnlessTheirFileHasTheSameVoxels)
   this->SetNumber("brushRadius", 40.0);
   this->Stroke(100, 120);
   EXPECT_TRUE(this->model.HasUnsavedLabels());
-  this->model.TakeSavedLabels("/scans/drawn.seg.nrrd", "save");
+  this->model.TakeSavedLabels(
+    "/scans/drawn.seg.nrrd", this->model.CurrentScene().labels->segments, "save");
   EXPECT_FALSE(this->model.HasUnsavedLabels());
   this->Stroke(150, 200);
   EXPECT_TRUE(this->model.HasUnsavedLabels());

@@ -295,3 +295,20 @@ TEST_F(Segmentations, WithoutAScanAreDrawnAlone)
   EXPECT_FALSE(this->window.findChild<WarningBar*>()->isVisible());
   EXPECT_TRUE(this->IsGreenSoon());
 }
+
+TEST_F(Segmentations, AreSavedWithASentenceOnWhatTheFormatLacks)
+{
+  this->OpenTorso();
+  this->Model()->AddSegment("tumour", "new segment");
+  auto* const save = this->window.findChild<QPushButton*>("saveSegmentation");
+  {
+    const Answers complete(QMessageBox::Ok, this->Path("tumour.seg.nrrd"));
+    save->click();
+    EXPECT_TRUE(QFile::exists(this->Path("tumour.seg.nrrd")));
+    EXPECT_EQ(complete.Questions(), 0);
+  }
+  const Answers lossy(QMessageBox::Ok, this->Path("tumour.nii.gz"));
+  save->click();
+  EXPECT_TRUE(QFile::exists(this->Path("tumour.nii.gz")));
+  EXPECT_GE(lossy.Questions(), 1) << "NIfTI has no names and colours";
+}

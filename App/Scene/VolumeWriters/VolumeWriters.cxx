@@ -19,6 +19,14 @@ std::string NoLoss(const LoadedVolume&)
   return "";
 }
 
+std::string LossOfSegments(const LoadedVolume& volume)
+{
+  return volume.segments.empty()
+    ? ""
+    : "The format holds no names and colours of segments, so the file has only their values; a "
+      ".seg.nrrd holds them.";
+}
+
 std::string LossOfTiff(const LoadedVolume&)
 {
   return "TIFF holds no position and no directions, so the file has only the spacing of the "
@@ -45,10 +53,10 @@ bool MayReplaceZarr(const std::string& existing)
 constexpr bool isFolder = true;
 
 const std::vector<VolumeWriter> writers = {
-  { "NIfTI", { ".nii", ".nii.gz" }, WriteNiftiFile, NoLoss },
+  { "NIfTI", { ".nii", ".nii.gz" }, WriteNiftiFile, LossOfSegments },
   { "NRRD", { ".nrrd" }, WriteNrrdFile, NoLoss },
-  { "MetaImage", { ".mha" }, WriteMetaImageFile, NoLoss },
-  { "VTI", { ".vti" }, WriteVtiFile, NoLoss },
+  { "MetaImage", { ".mha" }, WriteMetaImageFile, LossOfSegments },
+  { "VTI", { ".vti" }, WriteVtiFile, LossOfSegments },
   { "TIFF", { ".tif", ".tiff" }, WriteTiffFile, LossOfTiff },
   { "OME-Zarr", { ".zarr" }, WriteZarrFolder, LossOfZarrFolder, isFolder },
 };

@@ -90,7 +90,9 @@ public:
   void ChangeLabels(const LabelChange& change, const QString& name);
 
   /// Takes the file that the labels have been written to.
-  void TakeSavedLabels(const std::string& path, const QString& name);
+  /// @param segments  of the scene, with the values that they have in the file
+  void TakeSavedLabels(
+    const std::string& path, const std::vector<Segment>& segments, const QString& name);
 
   /// True unless the file that the scene names holds the segments with these voxels, or there are
   /// none.

@@ -82,6 +82,14 @@ void SceneModel::AddSegment(const QString& segmentName, const QString& name)
   {
     value = std::max(value, segment.value + 1);
   }
+  // They can have other values in the file that they were saved to.
+  if (this->state.scene.labels)
+  {
+    for (const Segment& segment : this->state.scene.labels->segments)
+    {
+      value = std::max(value, segment.value + 1);
+    }
+  }
   const Segment added = { value, segmentName.toStdString(), ColorOfLabel(value) };
   map.segments.push_back(added);
   map.sizes.emplace_back();
@@ -95,13 +103,12 @@ void SceneModel::AddSegment(const QString& segmentName, const QString& name)
   this->PushLabels(std::move(changed), name);
 }
 
-void SceneModel::TakeSavedLabels(const std::string& path, const QString& name)
+void SceneModel::TakeSavedLabels(
+  const std::string& path, const std::vector<Segment>& segments, const QString& name)
 {
   this->Edit(ScenePart::Segments, name,
-    [&](Scene& scene)
-    {
-      scene.labels->path = path;
-      scene.labels->series.clear();
+    [&](Scene& scene) {
+      scene.labels = { path, {}, segments };
     });
   this->versionsInFiles[path] = this->state.labelVersion;
 }

@@ -2366,6 +2366,22 @@ Masken nicht unterstützt</translation>
         <translation>Strecke</translation>
     </message>
     <message>
+    <message>
+        <source>DICOM segmentation (*.dcm)</source>
+        <translation>DICOM-Segmentierung (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Axial slice</source>
+        <translation>Axiale Schicht</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Koronale Schicht</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Sagittale Schicht</translation>
+    </message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>

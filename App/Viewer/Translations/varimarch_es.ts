@@ -2366,6 +2366,22 @@ no admite máscaras</translation>
         <translation>Distancia</translation>
     </message>
     <message>
+    <message>
+        <source>DICOM segmentation (*.dcm)</source>
+        <translation>Segmentación DICOM (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Axial slice</source>
+        <translation>Corte axial</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Corte coronal</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Corte sagital</translation>
+    </message>
         <source>Angle</source>
         <translation>Ángulo</translation>
     </message>

@@ -31,6 +31,8 @@ public:
 
   /// Number of files; a file may hold several images.
   std::size_t Count() const { return this->files.size(); }
+  /// The files, in the order of the images, with their folders.
+  const std::vector<std::string>& Files() const { return this->files; }
   /// The name of a file, without its folder.
   std::string Name(std::size_t index) const;
   /// @throws std::runtime_error as TagsOf does
