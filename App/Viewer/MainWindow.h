@@ -117,6 +117,9 @@ private:
   /// The user's work on the volume, see WorkText; empty without a volume.
   QString CurrentWork() const;
 
+  /// Segments that were restored from the autosaved copy, which goes, are in no file.
+  void ForgetAutosavedFile(Scene& scene) const;
+
   /// Returns true if the shown scan can be left: its work is saved, or the user gives it up.
   bool MayLeaveScan();
   void RenewGraphics();

@@ -280,6 +280,7 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
   if (this->restored)
   {
     this->restored->volume = source;
+    this->ForgetAutosavedFile(*this->restored);
     this->model.Restore(*this->restored, study);
     this->restored.reset();
   }

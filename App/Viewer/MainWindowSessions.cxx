@@ -25,6 +25,14 @@ QString MainWindow::CurrentWork() const
   return study ? WorkText(this->model.CurrentScene(), *study) + voxels : QString();
 }
 
+void MainWindow::ForgetAutosavedFile(Scene& scene) const
+{
+  if (scene.labels && scene.labels->path == this->autosave.SegmentsPath().toStdString())
+  {
+    scene.labels->path.clear();
+  }
+}
+
 bool MainWindow::MayLeaveScan()
 {
   if (this->CurrentWork() == this->savedWork)

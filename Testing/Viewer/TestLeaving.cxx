@@ -125,6 +125,40 @@ TEST_F(Leaving, KeepsTheAutosavedCopyThatWasNotRestored)
   EXPECT_TRUE(QFile::exists(copy)) << "the copy of a viewer that runs on";
 }
 
+TEST_F(Leaving, RestoresSegmentsThatWereDrawnBeforeACrash)
+{
+  this->Model()->AddSegment("tumour", "new segment");
+  this->Model()->ChangeLabels({ { 3, 5, 2, 2, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } }, "paint");
+  const QString copies = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return QFile::exists(copies + "/autosaved.json"); }, MostMilliseconds));
+  // A crash would have left the copy that this window has locked.
+  QFile scene(copies + "/autosaved.json");
+  ASSERT_TRUE(scene.open(QIODevice::ReadOnly));
+  QFile left(copies + "/autosaved-2.json");
+  ASSERT_TRUE(left.open(QIODevice::WriteOnly));
+  left.write(scene.readAll().replace("autosaved.seg.nrrd", "autosaved-2.seg.nrrd"));
+  left.close();
+  ASSERT_TRUE(QFile::copy(copies + "/autosaved.seg.nrrd", copies + "/autosaved-2.seg.nrrd"));
+
+  MainWindow later;
+  later.show();
+  {
+    const Answers yes(QMessageBox::Yes, {});
+    later.OfferAutosaved();
+  }
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
+  ASSERT_TRUE(later.Model()->CurrentScene().labels);
+  EXPECT_EQ(later.Model()->CurrentScene().labels->segments[0].name, "tumour");
+  EXPECT_EQ(later.Model()->CurrentStudy()->segmentStatistics[0].voxels, 3);
+  EXPECT_TRUE(later.Model()->HasUnsavedLabels()) << "the copy goes at the end";
+  const Answers discard(QMessageBox::Discard, {});
+  later.close();
+  EXPECT_EQ(discard.Questions(), 1);
+  EXPECT_FALSE(QFile::exists(copies + "/autosaved-2.seg.nrrd"));
+}
+
 TEST_F(Leaving, SaysThatAnImageIsSaved)
 {
   const Answers save(QMessageBox::Save, this->Path("torso"));

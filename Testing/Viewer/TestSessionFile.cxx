@@ -1,6 +1,7 @@
 // Sessions on disk: they read back as written, and an autosaved copy exists until the end.
 
 #include "LabelledStudy.h"
+#include "Scene/LabelMap.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SessionFile.h"
 
@@ -108,6 +109,60 @@ TEST_F(Sessions, AreAutosavedApartByViewersThatRunAtOnce)
   first.reset();
   SceneModel later;
   EXPECT_TRUE(Autosave(&later, this->copies).HasCopy());
+}
+
+TEST_F(Sessions, AreAutosavedWithTheSegmentsThatWereDrawn)
+{
+  Autosave autosave(&this->model, this->copies);
+  const auto drawnVoxels = [this]
+  {
+    Scene saved;
+    return QTest::qWaitFor(
+             [&]
+             {
+               if (QFile::exists(this->path))
+               {
+                 saved = ReadScene(this->path.toStdString());
+               }
+               return saved.labels && !saved.labels->path.empty();
+             },
+             30000)
+      ? LoadLabels(*saved.labels, this->model.CurrentStudy()->volume).sizes.at(0).voxels
+      : -1;
+  };
+  this->model.AddSegment("tumour", "new segment");
+  this->model.ChangeLabels({ { 3, 5, 2, 2, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } }, "paint");
+  autosave.Save();
+  EXPECT_EQ(drawnVoxels(), 3);
+  EXPECT_EQ(ReadScene(this->path.toStdString()).labels->segments[0].name, "tumour");
+  this->model.History()->undo();
+  QFile::remove(this->path);
+  autosave.Save();
+  EXPECT_EQ(drawnVoxels(), 0);
+
+  // A file that the user has saved is named, and the copy goes.
+  this->model.TakeSavedLabels(
+    "/scans/tumour.seg.nrrd", this->model.CurrentScene().labels->segments, "save");
+  autosave.Save();
+  EXPECT_EQ(ReadScene(this->path.toStdString()).labels->path, "/scans/tumour.seg.nrrd");
+  EXPECT_FALSE(QFile::exists(autosave.SegmentsPath()));
+}
+
+TEST_F(Sessions, LeaveNoSegmentsAfterANormalExit)
+{
+  QString segments;
+  {
+    Autosave autosave(&this->model, this->copies);
+    segments = autosave.SegmentsPath();
+    this->model.AddSegment("tumour", "new segment");
+    autosave.Save();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
+    EXPECT_TRUE(QFile::exists(segments));
+    this->model.ChangeLabels({ { 3, 3, 2, 2, 1, 1 }, { 0 }, { 1 } }, "paint");
+    autosave.Save(); // the thread writes while the program ends
+    autosave.Remove();
+  }
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !QFile::exists(segments); }, 30000));
 }
 
 TEST_F(Sessions, AreAutosavedWhereOnlyTheUserReads)

@@ -98,6 +98,9 @@ public:
   /// none.
   bool HasUnsavedLabels() const;
 
+  /// A number that is another one whenever the voxels of the labels are others.
+  int LabelVersion() const { return this->state.labelVersion; }
+
   /// Draws a further volume over the others. This is an undo step, and the volume becomes the
   /// edited one. Requires fewer than MostVolumes.
   void AddOverlay(

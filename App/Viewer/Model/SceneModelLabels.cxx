@@ -124,14 +124,19 @@ bool SceneModel::HasUnsavedLabels() const
   return inFile == this->versionsInFiles.end() || inFile->second != this->state.labelVersion;
 }
 
-// The labels have just been read from the file that the scene names.
+// The labels have just been read from the file that the scene names. Without a name they were in no
+// file of the user's.
 void SceneModel::TakeVersionOfFile(State& taken)
 {
-  if (taken.scene.labels)
+  if (!taken.scene.labels)
   {
-    taken.labelVersion =
-      this->versionsInFiles.try_emplace(taken.scene.labels->path, ++this->lastLabelVersion)
-        .first->second;
+    return;
+  }
+  const std::string& path = taken.scene.labels->path;
+  taken.labelVersion = ++this->lastLabelVersion;
+  if (!path.empty())
+  {
+    taken.labelVersion = this->versionsInFiles.try_emplace(path, taken.labelVersion).first->second;
   }
 }
 

@@ -3,6 +3,9 @@
 #include "Scene/OutputFile.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
+#include "Scene/SegmentFiles.h"
+
+#include <vtkImageData.h>
 
 #include <QDir>
 #include <QFile>
@@ -90,6 +93,8 @@ Autosave::Autosave(SceneModel* model, const QString& folder, QObject* parent)
   this->delay.setSingleShot(true);
   this->delay.setInterval(DelayMilliseconds);
   connect(&this->delay, &QTimer::timeout, this, &Autosave::Save);
+  // Without the segments, for which the disk may be too small, the rest is still saved.
+  connect(&this->segmentWriting, &BackgroundTask::Failed, this, &Autosave::SaveScene);
   connect(model, &SceneModel::Changed, this,
     [this]
     {
@@ -122,10 +127,18 @@ bool Autosave::HasCopy() const
   return QFile::exists(this->path);
 }
 
+QString Autosave::SegmentsPath() const
+{
+  return this->path.chopped(int(qstrlen(".json"))) + ".seg.nrrd";
+}
+
 void Autosave::Remove()
 {
   this->delay.stop();
+  this->segmentWriting.Cancel();
+  this->savedLabels = 0;
   QFile::remove(this->path);
+  QFile::remove(this->SegmentsPath());
 }
 
 void Autosave::Save()
@@ -134,13 +147,68 @@ void Autosave::Save()
   {
     return;
   }
+  if (this->model->HasUnsavedLabels() && this->model->LabelVersion() != this->savedLabels)
+  {
+    this->SaveSegments();
+  }
+  else
+  {
+    this->SaveScene();
+  }
+}
+
+// Voxels are edited where they are, so the thread has a copy of them.
+void Autosave::SaveSegments()
+{
+  if (this->segmentWriting.IsRunning())
+  {
+    this->delay.start();
+    return;
+  }
+  LabelMap labels;
+  labels.image = vtkSmartPointer<vtkImageData>::New();
+  labels.image->DeepCopy(this->model->CurrentStudy()->labels->image);
+  this->segmentWriting.Start(
+    [labels, segments = this->model->CurrentScene().labels->segments,
+      file = this->SegmentsPath().toStdString()](const TaskProgress& progress)
+    {
+      WriteSegments(labels, segments, {}, file);
+      // The copy may have been removed meanwhile, because the program ends.
+      if (!progress(1.0))
+      {
+        QFile::remove(QString::fromStdString(file));
+      }
+    },
+    [this, version = this->model->LabelVersion()]
+    {
+      this->savedLabels = version;
+      this->SaveScene();
+    });
+}
+
+// The scene names the file of its segments that is nearest to what is shown.
+void Autosave::SaveScene()
+{
+  Scene scene = this->model->CurrentScene();
+  const bool needsSegments = this->model->HasUnsavedLabels() && this->savedLabels > 0;
+  if (needsSegments)
+  {
+    scene.labels->path = this->SegmentsPath().toStdString();
+    scene.labels->series.clear();
+  }
   try
   {
-    WriteScene(this->model->CurrentScene(), this->path);
+    WriteScene(scene, this->path);
   }
   catch (const std::exception&)
   {
     // A failed backup is not worth an error message at every edit.
+    return;
+  }
+  if (!this->model->HasUnsavedLabels() && !this->segmentWriting.IsRunning())
+  {
+    QFile::remove(this->SegmentsPath());
+    this->savedLabels = 0;
   }
 }
 

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Viewer_SessionFile_h
 #define Varimarch_Viewer_SessionFile_h
 
+#include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QLockFile>
@@ -23,8 +24,9 @@ void WriteScene(const Scene& scene, const QString& path);
 QString WorkText(const Scene& scene, const Study& study);
 
 /// Saves a copy of the scene while it is edited, so that no work is lost if the program ends
-/// unexpectedly. A normal exit deletes the copy. Viewers that run at once have copies of their own:
-/// each locks its own, and takes over the latest one that a program has left.
+/// unexpectedly. Segments that are in no file of the user's are saved beside it, in the background.
+/// A normal exit deletes the copy. Viewers that run at once have copies of their own: each locks
+/// its own, and takes over the latest one that a program has left.
 class Autosave : public QObject
 {
   Q_OBJECT
@@ -37,8 +39,10 @@ public:
   bool HasCopy() const;
   /// The copy of this program; empty if the folder cannot be written to.
   QString Path() const { return this->path; }
+  /// The file of the segments that belong to the copy.
+  QString SegmentsPath() const;
 
-  /// Saves now, instead of two seconds after an edit.
+  /// Saves now, instead of two seconds after an edit. Segments with new voxels follow soon.
   void Save();
 
   /// Deletes the copy, because the program ends normally.
@@ -46,11 +50,15 @@ public:
 
 private:
   bool TryToLock(const QString& copy);
+  void SaveSegments();
+  void SaveScene();
 
   SceneModel* model;
   QString path;
   std::unique_ptr<QLockFile> lock;
   QTimer delay;
+  BackgroundTask segmentWriting;
+  int savedLabels = 0; ///< version of the labels in the file of the segments; 0: there is none
 };
 
 }
