@@ -1,5 +1,8 @@
 #include "Scene/PresetSuggestion.h"
 
+#include "Scene/Presets.h"
+#include "Scene/VolumeProperty.h"
+
 #include <algorithm>
 #include <cctype>
 #include <vector>
@@ -127,6 +130,10 @@ PresetSuggestion ForMr(const LoadedVolume& volume)
 
 PresetSuggestion SuggestedPreset(const LoadedVolume& volume, const ImageStatistics& statistics)
 {
+  if (volume.modality == "CT" && !Suits(BuiltInPreset("ct-bone").look, statistics))
+  {
+    return { "mr-maximum", SuggestionReason::OtherValues, "" };
+  }
   if (volume.modality == "CT")
   {
     return ForCt(volume, statistics, { "ct-bone", SuggestionReason::Modality, volume.modality });

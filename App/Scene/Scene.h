@@ -20,8 +20,9 @@ namespace varimarch
 /// Meaning of the values of a look's nodes.
 enum class Domain
 {
-  Data,     ///< units of the data, such as Hounsfield units
-  Relative, ///< 0 is the data's 1st percentile, 1 its 99.9th: for MR, which has no units
+  Data,       ///< units of the data
+  Relative,   ///< 0 is the data's 1st percentile, 1 its 99.9th: for MR, which has no units
+  Hounsfield, ///< Hounsfield units, also for a CT whose values are others: see HounsfieldScale.h
 };
 
 /// Blinn-Phong coefficients, as vtkVolumeProperty has them.

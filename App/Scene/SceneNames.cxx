@@ -75,7 +75,7 @@ const NameTable<VoxelDistance>& VoxelDistanceNames()
 const NameTable<Domain>& DomainNames()
 {
   static const NameTable<Domain> table = { { "data", Domain::Data },
-    { "relative", Domain::Relative } };
+    { "relative", Domain::Relative }, { "hounsfield", Domain::Hounsfield } };
   return table;
 }
 

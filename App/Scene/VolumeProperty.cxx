@@ -1,16 +1,20 @@
 #include "Scene/VolumeProperty.h"
 
+#include "Scene/HounsfieldScale.h"
 #include "Scene/ImageStatistics.h"
-#include "Scene/LookRegions.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkVolumeProperty.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace varimarch
 {
@@ -66,33 +70,18 @@ std::vector<OpacityNode> OpacitiesOfSurfaces(const Look& look)
   return nodes;
 }
 
-void ApplySurfaces(const std::vector<Isosurface>& surfaces, vtkVolumeProperty* property)
+Look OfData(Look look)
 {
-  property->GetIsoSurfaceValues()->SetNumberOfContours(int(surfaces.size()));
-  for (int i = 0; i < int(surfaces.size()); ++i)
-  {
-    property->GetIsoSurfaceValues()->SetValue(i, surfaces[i].value);
-  }
+  look.domain = Domain::Data;
+  return look;
 }
 
-}
-
-Look InUnitsOfData(const Look& look, vtkImageData* image)
+// The look with other values.
+// @param factor  mean change of a difference of values
+Look Resolved(const Look& look, const std::function<double(double)>& valueOf, double factor)
 {
-  return look.domain == Domain::Data ? look : InUnitsOfData(look, ImageStatistics(image));
-}
-
-Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
-{
-  if (look.domain == Domain::Data)
-  {
-    return look;
-  }
-  const double zero = statistics.Percentile(1.0);
-  const double one = statistics.Percentile(99.9);
-  Look resolved = look;
-  resolved.domain = Domain::Data;
-  const auto resolve = [=](double& value) { value = zero + value * (one - zero); };
+  Look resolved = OfData(look);
+  const auto resolve = [&](double& value) { value = valueOf(value); };
   for (ColorNode& node : resolved.colors)
   {
     resolve(node.value);
@@ -110,14 +99,80 @@ Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
     resolve((*resolved.averagedRange)[0]);
     resolve((*resolved.averagedRange)[1]);
   }
-  // A gradient scales with the range and is independent of the offset.
   for (OpacityNode& node : resolved.gradientOpacities)
   {
-    node.value *= one - zero;
+    node.value *= factor;
   }
-  resolved.regions = TransformedRegions(resolved.regions, one - zero, zero);
-  resolved.dampingGradient *= one - zero;
+  for (LookRegion& region : resolved.regions)
+  {
+    resolve(region.values[0]);
+    resolve(region.values[1]);
+    region.gradients[0] *= factor;
+    region.gradients[1] *= factor;
+  }
+  resolved.dampingGradient *= factor;
   return resolved;
+}
+
+// The air beside a patient makes the first slice of nearly any CT negative. It spares counting all
+// voxels, which may be in a file.
+bool BeginsWithNegativeValues(vtkImageData* image)
+{
+  vtkDataArray* const values = image->GetPointData()->GetScalars();
+  const int* const count = image->GetDimensions();
+  const vtkIdType inSlice = std::min(vtkIdType(count[0]) * count[1], values->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < inSlice; ++i)
+  {
+    if (values->GetComponent(i, 0) < 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ApplySurfaces(const std::vector<Isosurface>& surfaces, vtkVolumeProperty* property)
+{
+  property->GetIsoSurfaceValues()->SetNumberOfContours(int(surfaces.size()));
+  for (int i = 0; i < int(surfaces.size()); ++i)
+  {
+    property->GetIsoSurfaceValues()->SetValue(i, surfaces[i].value);
+  }
+}
+
+}
+
+Look InUnitsOfData(const Look& look, vtkImageData* image)
+{
+  const bool isResolved = look.domain == Domain::Data ||
+    (look.domain == Domain::Hounsfield && BeginsWithNegativeValues(image));
+  return isResolved ? OfData(look) : InUnitsOfData(look, ImageStatistics(image));
+}
+
+Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
+{
+  if (look.domain == Domain::Relative)
+  {
+    const double zero = statistics.Percentile(1.0);
+    const double range = statistics.Percentile(99.9) - zero;
+    return Resolved(
+      look, [=](double value) { return zero + value * range; }, range);
+  }
+  if (look.domain == Domain::Hounsfield && !MayBeHounsfieldUnits(statistics))
+  {
+    if (const auto scale = EstimatedHounsfieldScale(statistics))
+    {
+      return Resolved(
+        look, [&](double value) { return scale->ValueAt(value); }, scale->Factor());
+    }
+  }
+  return OfData(look);
+}
+
+bool Suits(const Look& look, const ImageStatistics& statistics)
+{
+  return look.domain != Domain::Hounsfield || MayBeHounsfieldUnits(statistics) ||
+    EstimatedHounsfieldScale(statistics);
 }
 
 double MeanSpacingMm(vtkImageData* image)

@@ -9,6 +9,7 @@
 #include "Scene/ValueGradientHistogram.h"
 #include "Scene/VolumeProperty.h"
 
+#include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
 
 #include <gtest/gtest.h>

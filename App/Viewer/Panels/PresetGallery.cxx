@@ -12,6 +12,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -51,14 +52,25 @@ std::string NamelessText(const SceneModel& model, const Preset& preset)
   return NamelessText(scene);
 }
 
-// Built-in presets, those for this modality first.
-std::vector<std::string> PresetsFor(const Study& study)
+// Built-in presets that can show a volume, by whether they are for its kind of scan.
+struct PresetGroups
 {
-  std::vector<std::string> names = PresetNames();
+  std::vector<std::string> suitable;
+  std::vector<std::string> others;
+};
+
+PresetGroups PresetsFor(const Study& study)
+{
+  PresetGroups groups;
   const std::string kind = SuggestedPreset(study.volume, study.statistics).name.substr(0, 3);
-  std::stable_partition(
-    names.begin(), names.end(), [&](const std::string& name) { return name.substr(0, 3) == kind; });
-  return names;
+  for (const std::string& name : PresetNames())
+  {
+    if (Suits(BuiltInPreset(name).look, study.statistics))
+    {
+      (name.substr(0, 3) == kind ? groups.suitable : groups.others).push_back(name);
+    }
+  }
+  return groups;
 }
 
 QIcon EmptyIcon()
@@ -76,11 +88,13 @@ PresetGallery::PresetGallery(SceneModel* model, const QString& folder, QWidget* 
   , ownPresets(folder)
 {
   this->MakeList();
+  this->MakeFold();
   this->problem = new QLabel;
   this->problem->setWordWrap(true);
   this->problem->hide();
   auto* const column = new QVBoxLayout(this);
   column->addWidget(this->list, 1);
+  column->addWidget(this->fold);
   column->addWidget(this->problem);
   column->addWidget(this->MakeButtons());
   this->setEnabled(false);
@@ -106,6 +120,18 @@ void PresetGallery::MakeList()
   connect(this->list, &QListWidget::itemChanged, this, &PresetGallery::Rename);
   connect(this->list, &QListWidget::currentRowChanged, this,
     [this](int row) { this->remove->setEnabled(this->IsOwn(row)); });
+}
+
+void PresetGallery::MakeFold()
+{
+  this->fold = new QToolButton;
+  this->fold->setObjectName("fold");
+  this->fold->setCheckable(true);
+  this->fold->setAutoRaise(true);
+  this->fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  this->fold->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  this->fold->setFocusPolicy(Qt::StrongFocus);
+  connect(this->fold, &QToolButton::toggled, this, [this](bool isOpen) { this->Fold(!isOpen); });
 }
 
 QWidget* PresetGallery::MakeButtons()
@@ -155,27 +181,42 @@ void PresetGallery::ListPresets()
   this->problem->hide();
   this->presets.clear();
   this->list->clear();
-  for (const std::string& name : PresetsFor(*study))
+  const PresetGroups groups = PresetsFor(*study);
+  for (const std::string& name : groups.suitable)
   {
-    const Preset preset = BuiltInPreset(name);
-    this->AddItem(PresetTitle(name), QString::fromStdString(preset.look.description), preset);
+    this->AddBuiltIn(name);
+  }
+  this->firstOther = this->list->count();
+  for (const std::string& name : groups.others)
+  {
+    this->AddBuiltIn(name);
   }
   for (const QString& name : this->ownPresets.Names())
   {
     this->AddOwn(name);
   }
-  this->DrawPictures();
+  this->fold->setText(tr("For other kinds of scans (%1)").arg(groups.others.size()));
+  this->Fold(!this->fold->isChecked());
 }
 
-void PresetGallery::AddItem(const QString& title, const QString& tip, const Preset& preset)
+void PresetGallery::AddBuiltIn(const std::string& name)
+{
+  const Preset preset = BuiltInPreset(name);
+  this->AddItem(this->list->count(), PresetTitle(name),
+    QString::fromStdString(preset.look.description), preset);
+}
+
+QListWidgetItem* PresetGallery::AddItem(
+  int row, const QString& title, const QString& tip, const Preset& preset)
 {
   const QSignalBlocker quiet(this->list);
-  auto* const item = new QListWidgetItem(EmptyIcon(), title, this->list);
+  auto* const item = new QListWidgetItem(EmptyIcon(), title);
   item->setToolTip(tip);
   item->setData(HasPictureRole, false);
-  this->presets.push_back(preset);
-  Look& look = this->presets.back().look;
+  this->list->insertItem(row, item);
+  Look& look = this->presets.insert(this->presets.begin() + row, preset)->look;
   look = InUnitsOfData(look, this->model->EditedStudy()->statistics);
+  return item;
 }
 
 // The folder may contain files that are not looks.
@@ -184,13 +225,23 @@ void PresetGallery::AddOwn(const QString& name)
   this->Attempt(
     [&]
     {
-      this->AddItem(
-        name, tr("Your own look: F2 renames it, Delete removes it"), this->ownPresets.Read(name));
-      QListWidgetItem* const item = this->list->item(this->list->count() - 1);
+      QListWidgetItem* const item = this->AddItem(this->firstOther, name,
+        tr("Your own look: F2 renames it, Delete removes it"), this->ownPresets.Read(name));
+      ++this->firstOther;
       const QSignalBlocker quiet(this->list);
       item->setFlags(item->flags() | Qt::ItemIsEditable);
       item->setData(NameRole, name);
     });
+}
+
+void PresetGallery::Fold(bool isFolded)
+{
+  this->fold->setArrowType(isFolded ? Qt::RightArrow : Qt::DownArrow);
+  for (int row = 0; row < this->list->count(); ++row)
+  {
+    this->list->item(row)->setHidden(isFolded && row >= this->firstOther);
+  }
+  this->DrawPictures();
 }
 
 void PresetGallery::DrawPictures()
@@ -203,7 +254,8 @@ void PresetGallery::DrawPictures()
   std::vector<Preset> wanted;
   for (int row = 0; row < this->list->count(); ++row)
   {
-    if (!this->list->item(row)->data(HasPictureRole).toBool())
+    const QListWidgetItem* const item = this->list->item(row);
+    if (!item->isHidden() && !item->data(HasPictureRole).toBool())
     {
       this->drawnRows.push_back(row);
       wanted.push_back(this->presets[row]);
@@ -251,7 +303,7 @@ void PresetGallery::Keep()
       this->AddOwn(this->ownPresets.Keep(PresetOf(this->model->EditedScene())));
       this->DrawPictures();
       // Let the user type over the provisional name.
-      QListWidgetItem* const item = this->list->item(this->list->count() - 1);
+      QListWidgetItem* const item = this->list->item(this->firstOther - 1);
       this->list->setCurrentItem(item);
       this->list->editItem(item);
     });
@@ -287,6 +339,7 @@ void PresetGallery::Remove()
       const int row = this->list->currentRow();
       this->ownPresets.Remove(name);
       this->presets.erase(this->presets.begin() + row);
+      --this->firstOther;
       delete this->list->takeItem(row);
       this->DrawPictures();
       this->MarkCurrent();

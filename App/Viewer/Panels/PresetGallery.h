@@ -14,12 +14,14 @@ class QLabel;
 class QListWidget;
 class QListWidgetItem;
 class QPushButton;
+class QToolButton;
 
 namespace varimarch
 {
 
-/// The built-in presets and the user's own, as thumbnails of the current volume. A click applies a
-/// preset; a button saves the current look as a new one.
+/// The built-in presets and the user's own, as thumbnails of the current volume. Those for scans of
+/// other kinds are folded away, and those that cannot show the volume are left out. A click applies
+/// a preset; a button saves the current look as a new one.
 class PresetGallery : public QWidget
 {
   Q_OBJECT
@@ -33,11 +35,14 @@ protected:
 
 private:
   void MakeList();
+  void MakeFold();
   QWidget* MakeButtons();
   void Update(ScenePart part);
   void ListPresets();
-  void AddItem(const QString& title, const QString& tip, const Preset& preset);
+  void AddBuiltIn(const std::string& name);
+  QListWidgetItem* AddItem(int row, const QString& title, const QString& tip, const Preset& preset);
   void AddOwn(const QString& name);
+  void Fold(bool isFolded);
   void DrawPictures();
   void ShowPicture(int index, const QImage& picture);
   void MarkCurrent();
@@ -51,9 +56,12 @@ private:
   SceneModel* model;
   OwnPresets ownPresets;
   PresetThumbnails thumbnails;
-  std::vector<Preset> presets; ///< one for each row, in units of the data; the user's come last
-  std::vector<int> drawnRows;  ///< rows whose thumbnails are being rendered
+  /// One for each row, in units of the data: those for this kind of scan, the user's, the others.
+  std::vector<Preset> presets;
+  int firstOther = 0;         ///< row of the first preset for other kinds of scans
+  std::vector<int> drawnRows; ///< rows whose thumbnails are being rendered
   QListWidget* list;
+  QToolButton* fold;
   QPushButton* keep;
   QPushButton* remove;
   QLabel* problem; ///< error of the last action; hidden if there was none

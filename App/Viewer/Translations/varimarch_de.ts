@@ -2507,6 +2507,10 @@ Masken nicht unterstützt</translation>
         <translation>Sonst sind alle Schritte so lang, wie der Abstand der Voxel es nahelegt</translation>
     </message>
     <message>
+    <message>
+        <source>For other kinds of scans (%1)</source>
+        <translation>Für andere Aufnahmen (%1)</translation>
+    </message>
         <source>promise of the error</source>
         <translation>Versprechen des Fehlers</translation>
     </message>

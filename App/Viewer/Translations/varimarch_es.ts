@@ -2507,6 +2507,10 @@ no admite máscaras</translation>
         <translation>Si no, todos los pasos miden lo que sugiere la distancia entre vóxeles</translation>
     </message>
     <message>
+    <message>
+        <source>For other kinds of scans (%1)</source>
+        <translation>Para otros tipos de estudios (%1)</translation>
+    </message>
         <source>promise of the error</source>
         <translation>promesa del error</translation>
     </message>
