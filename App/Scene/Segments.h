@@ -20,7 +20,8 @@ constexpr int MostLabels = 254;
 constexpr int SmallestLabel = std::numeric_limits<int>::min();
 constexpr int LargestLabel = std::numeric_limits<int>::max();
 
-/// Colour of a label for which a file gives none. Neighbouring labels differ much.
+/// Colour of a label for which a file gives none. Neighbouring labels differ much, and those from 1
+/// to 7 for every kind of colour vision.
 glm::dvec3 ColorOfLabel(int value);
 
 /// "Label 3", the name of a label for which a file gives none.

@@ -1,10 +1,16 @@
 #include "Scene/Segments.h"
 
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <stdexcept>
 
 using namespace varimarch;
@@ -107,4 +113,53 @@ TEST(Segments, HaveTheSizeOfTheirBox)
   EXPECT_EQ(sizes[0].voxels, 110);
   EXPECT_EQ(sizes[2].voxels, 0);
   EXPECT_EQ(sizes[2].thicknessMm, 0.0);
+}
+
+namespace
+{
+
+/// A colour as CIELab, as a dichromat sees it.
+/// @param seen  rows of the matrix of F. Viénot, H. Brettel and J. Mollon, Color Research and
+///              Application 24, 1999, 243-252, for linear RGB
+glm::dvec3 LabSeen(const glm::dvec3& rgb, const std::array<glm::dvec3, 3>& seen)
+{
+  glm::dvec3 linear;
+  for (int i = 0; i < 3; ++i)
+  {
+    linear[i] = rgb[i] <= 0.04045 ? rgb[i] / 12.92 : std::pow((rgb[i] + 0.055) / 1.055, 2.4);
+  }
+  glm::dvec3 coded;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double part = std::clamp(glm::dot(seen[std::size_t(i)], linear), 0.0, 1.0);
+    coded[i] = part <= 0.0031308 ? 12.92 * part : 1.055 * std::pow(part, 1.0 / 2.4) - 0.055;
+  }
+  glm::dvec3 lab;
+  vtkMath::RGBToLab(&coded.x, &lab.x);
+  return lab;
+}
+
+}
+
+TEST(Segments, HaveFirstColoursThatEveryKindOfColourVisionTellsApart)
+{
+  const std::array<glm::dvec3, 3> usual = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+  const std::array<glm::dvec3, 3> protan = { { { 0.11238, 0.88762, 0.0 }, { 0.11238, 0.88762, 0.0 },
+    { 0.00401, -0.00401, 1.0 } } };
+  const std::array<glm::dvec3, 3> deutan = { { { 0.29275, 0.70725, 0.0 }, { 0.29275, 0.70725, 0.0 },
+    { -0.02234, 0.02234, 1.0 } } };
+  for (const auto& seen : { usual, protan, deutan })
+  {
+    for (int a = 1; a <= 7; ++a)
+    {
+      for (int b = 1; b < a; ++b)
+      {
+        // Two colours that differ by 2.3 can just be told apart side by side.
+        EXPECT_GT(
+          glm::distance(LabSeen(ColorOfLabel(a), seen), LabSeen(ColorOfLabel(b), seen)), 15.0)
+          << a << " and " << b;
+      }
+    }
+  }
+  EXPECT_NE(ColorOfLabel(8), ColorOfLabel(9));
 }
