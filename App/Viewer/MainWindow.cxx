@@ -1,5 +1,6 @@
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/AccessibleNames.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Open/StartPage.h"
@@ -33,6 +34,8 @@
 #include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace varimarch
 {
@@ -120,9 +123,12 @@ void MainWindow::Listen()
 void MainWindow::MakeViews()
 {
   std::vector<QWidget*> slices;
-  for (const SlicePlane plane : { SlicePlane::Axial, SlicePlane::Coronal, SlicePlane::Sagittal })
+  const std::pair<SlicePlane, QString> planes[] = { { SlicePlane::Axial, tr("Axial slice") },
+    { SlicePlane::Coronal, tr("Coronal slice") }, { SlicePlane::Sagittal, tr("Sagittal slice") } };
+  for (const auto& [plane, name] : planes)
   {
     this->sliceViews.push_back(new SliceView(&this->model, plane));
+    this->sliceViews.back()->setAccessibleName(name);
     slices.push_back(this->sliceViews.back());
   }
   auto* const bars = new QWidget;
@@ -254,6 +260,7 @@ void MainWindow::MakePanels()
   this->ArrangePanels();
   this->MakePanelMenu();
 }
+  NamePartsOfControls(this);
 
 // Stacks all panels except the last, which lies below them. Each is stacked at once, since the
 // window would grow for panels below each other.

@@ -8,7 +8,9 @@
 #include <QStyle>
 #include <QStyleFactory>
 
-#include <tuple>
+#include <algorithm>
+#include <map>
+#include <utility>
 
 namespace varimarch
 {
@@ -18,37 +20,75 @@ namespace
 
 const char* const Key = "window/theme";
 
-QPalette DarkPalette()
+/// The colours that a palette is made of.
+struct ThemeColors
 {
-  const QColor window(45, 47, 51);
-  const QColor base(30, 31, 34);
-  const QColor text(228, 228, 228);
-  const QColor faint(140, 140, 140);
-  const QColor highlight(52, 120, 190);
-  QPalette palette(QColor(62, 64, 69), window); // buttons are lighter than the window
-  palette.setColor(QPalette::Base, base);
-  palette.setColor(QPalette::AlternateBase, window);
-  palette.setColor(QPalette::ToolTipBase, base);
-  palette.setColor(QPalette::PlaceholderText, faint);
-  palette.setColor(QPalette::Highlight, highlight);
-  palette.setColor(QPalette::HighlightedText, Qt::white);
-  palette.setColor(QPalette::Link, QColor(110, 180, 250));
+  QColor button;
+  QColor window;
+  QColor base; ///< behind texts and lists
+  QColor text;
+  QColor faint; ///< text that is disabled, or a hint
+  QColor highlight;
+  QColor highlightedText;
+  QColor link;
+};
+
+// Buttons are lighter than the window.
+const ThemeColors DarkColors = { { 62, 64, 69 }, { 45, 47, 51 }, { 30, 31, 34 }, { 228, 228, 228 },
+  { 140, 140, 140 }, { 52, 120, 190 }, { 255, 255, 255 }, { 110, 180, 250 } };
+
+// All texts that can be used have a contrast of at least 7 to 1, which WCAG 2.1 calls enhanced.
+const ThemeColors HighContrastColors = { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 }, { 255, 255, 255 },
+  { 170, 170, 170 }, { 255, 225, 0 }, { 0, 0, 0 }, { 255, 225, 0 } };
+
+QPalette PaletteOf(const ThemeColors& colors)
+{
+  QPalette palette(colors.button, colors.window);
+  palette.setColor(QPalette::Base, colors.base);
+  palette.setColor(QPalette::AlternateBase, colors.window);
+  palette.setColor(QPalette::ToolTipBase, colors.base);
+  palette.setColor(QPalette::PlaceholderText, colors.faint);
+  palette.setColor(QPalette::Highlight, colors.highlight);
+  palette.setColor(QPalette::HighlightedText, colors.highlightedText);
+  palette.setColor(QPalette::Link, colors.link);
   for (const QPalette::ColorRole role :
     { QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText })
   {
-    palette.setColor(role, text);
-    palette.setColor(QPalette::Disabled, role, faint);
+    palette.setColor(role, colors.text);
+    palette.setColor(QPalette::Disabled, role, colors.faint);
   }
   palette.setColor(QPalette::BrightText, Qt::white);
   return palette;
+}
+
+// Fusion draws frames by these roles, which are dark on black otherwise.
+QPalette HighContrastPalette()
+{
+  QPalette palette = PaletteOf(HighContrastColors);
+  for (const QPalette::ColorRole role :
+    { QPalette::Light, QPalette::Midlight, QPalette::Mid, QPalette::Dark })
+  {
+    palette.setColor(role, HighContrastColors.faint);
+  }
+  return palette;
+}
+
+/// A theme by its name in the settings.
+const std::map<Theme, const char*>& ThemeNames()
+{
+  static const std::map<Theme, const char*> names = { { Theme::System, "system" },
+    { Theme::Light, "light" }, { Theme::Dark, "dark" }, { Theme::HighContrast, "contrast" } };
+  return names;
 }
 
 }
 
 Theme ChosenTheme()
 {
-  const QString name = QSettings().value(Key).toString();
-  return name == "dark" ? Theme::Dark : name == "light" ? Theme::Light : Theme::System;
+  const QString chosen = QSettings().value(Key).toString();
+  const auto found = std::find_if(ThemeNames().begin(), ThemeNames().end(),
+    [&](const auto& named) { return chosen == named.second; });
+  return found == ThemeNames().end() ? Theme::System : found->first;
 }
 
 void ApplyTheme(Theme theme)
@@ -63,27 +103,30 @@ void ApplyTheme(Theme theme)
   }
   QStyle* const fusion = QStyleFactory::create("Fusion");
   QApplication::setStyle(fusion);
-  QApplication::setPalette(theme == Theme::Dark ? DarkPalette() : fusion->standardPalette());
+  QApplication::setPalette(theme == Theme::Dark ? PaletteOf(DarkColors)
+      : theme == Theme::HighContrast            ? HighContrastPalette()
+                                                : fusion->standardPalette());
 }
 
 QMenu* NewThemeMenu(QWidget* parent)
 {
   auto* const menu = new QMenu(QCoreApplication::translate("Theme", "&Theme"), parent);
-  const std::tuple<Theme, QString, QString> themes[] = {
-    { Theme::System, QCoreApplication::translate("Theme", "As on the &desktop"), "system" },
-    { Theme::Light, QCoreApplication::translate("Theme", "&Light"), "light" },
-    { Theme::Dark, QCoreApplication::translate("Theme", "D&ark"), "dark" },
+  const std::pair<Theme, QString> themes[] = {
+    { Theme::System, QCoreApplication::translate("Theme", "As on the &desktop") },
+    { Theme::Light, QCoreApplication::translate("Theme", "&Light") },
+    { Theme::Dark, QCoreApplication::translate("Theme", "D&ark") },
+    { Theme::HighContrast, QCoreApplication::translate("Theme", "High &contrast") },
   };
   auto* const group = new QActionGroup(menu);
-  for (const auto& [theme, text, name] : themes)
+  for (const auto& [theme, text] : themes)
   {
     QAction* const action = group->addAction(menu->addAction(text));
     action->setCheckable(true);
     action->setChecked(theme == ChosenTheme());
     QObject::connect(action, &QAction::triggered, menu,
-      [theme = theme, name = name]
+      [theme = theme]
       {
-        QSettings().setValue(Key, name);
+        QSettings().setValue(Key, ThemeNames().at(theme));
         ApplyTheme(theme);
       });
   }

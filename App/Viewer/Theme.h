@@ -12,6 +12,7 @@ enum class Theme
   System, ///< the desktop's theme
   Light,
   Dark,
+  HighContrast, ///< white and yellow on black
 };
 
 /// The user's choice, kept in the settings.

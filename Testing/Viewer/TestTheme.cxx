@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <memory>
 
 using namespace varimarch;
@@ -29,7 +31,7 @@ TEST(Theme, IsAppliedRememberedAndReverted)
 {
   QWidget window;
   const std::unique_ptr<QMenu> menu(NewThemeMenu(&window));
-  ASSERT_EQ(menu->actions().size(), 3);
+  ASSERT_EQ(menu->actions().size(), 4);
   EXPECT_TRUE(menu->actions()[0]->isChecked()) << "the default is the desktop's theme";
   const QColor before = QApplication::palette().color(QPalette::Window);
 
@@ -50,4 +52,40 @@ TEST(Theme, IsAppliedRememberedAndReverted)
   menu->actions()[0]->trigger();
   EXPECT_EQ(ChosenTheme(), Theme::System);
   EXPECT_EQ(QApplication::palette().color(QPalette::Window), before);
+}
+
+namespace
+{
+
+// Relative luminance of a colour (WCAG 2.1).
+double Luminance(const QColor& color)
+{
+  const auto linear = [](double part)
+  { return part <= 0.03928 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+    0.0722 * linear(color.blueF());
+}
+
+}
+
+TEST(Theme, OfHighContrastIsEnhancedByTheWebsRules)
+{
+  QWidget window;
+  const std::unique_ptr<QMenu> menu(NewThemeMenu(&window));
+  menu->actions()[3]->trigger();
+  EXPECT_EQ(ChosenTheme(), Theme::HighContrast);
+  const QPalette palette = QApplication::palette();
+  const std::pair<QPalette::ColorRole, QPalette::ColorRole> read[] = {
+    { QPalette::WindowText, QPalette::Window }, { QPalette::Text, QPalette::Base },
+    { QPalette::ButtonText, QPalette::Button }, { QPalette::ToolTipText, QPalette::ToolTipBase },
+    { QPalette::HighlightedText, QPalette::Highlight }, { QPalette::Link, QPalette::Base },
+    { QPalette::PlaceholderText, QPalette::Base }
+  };
+  for (const auto& [text, ground] : read)
+  {
+    const double bright = Luminance(palette.color(text));
+    const double dark = Luminance(palette.color(ground));
+    EXPECT_GE((std::max(bright, dark) + 0.05) / (std::min(bright, dark) + 0.05), 7.0) << int(text);
+  }
+  menu->actions()[0]->trigger();
 }

@@ -93,9 +93,13 @@ QFormLayout* RawForm::MakeForm()
   form->addRow(tr("Type"), this->type);
   form->addRow(tr("Byte order"), this->byteOrder);
   form->addRow(tr("Header bytes"), this->headerBytes);
-  for (QDoubleSpinBox*& box : this->spacing)
+  const QString distances[] = { tr("Distance of columns [mm]"), tr("Distance of rows [mm]"),
+    tr("Distance of slices [mm]") };
+  for (int axis = 0; axis < 3; ++axis)
   {
+    QDoubleSpinBox*& box = this->spacing[axis];
     box = new QDoubleSpinBox;
+    box->setAccessibleName(distances[axis]);
     box->setDecimals(4);
     box->setRange(1e-4, LargestSpacingMm);
   }

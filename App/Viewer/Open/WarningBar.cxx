@@ -31,6 +31,7 @@ WarningBar::WarningBar(QWidget* parent)
   close->setIcon(this->style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   close->setAutoRaise(true);
   close->setToolTip(tr("Dismiss"));
+  close->setAccessibleName(close->toolTip());
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   auto* const row = new QHBoxLayout(this);
   row->setContentsMargins(8, 4, 8, 4);

@@ -96,9 +96,10 @@ void BlendingForm::MakeAveragedRange()
   this->averagedRange->setToolTip(tr("Values outside this range do not count in the mean"));
   auto* const row = new QHBoxLayout(this->averagedRange);
   row->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const char* name)
+  const auto add = [&](const char* name, const QString& meaning)
   {
     auto* const box = new QDoubleSpinBox;
+    box->setAccessibleName(meaning);
     box->setObjectName(name);
     box->setKeyboardTracking(false);
     row->addWidget(box, 1);
@@ -106,9 +107,9 @@ void BlendingForm::MakeAveragedRange()
       &BlendingForm::ChooseAveragedRange);
     return box;
   };
-  this->averagedFirst = add("averagedFirst");
+  this->averagedFirst = add("averagedFirst", tr("Smallest value of the mean"));
   row->addWidget(new QLabel(tr("to")));
-  this->averagedLast = add("averagedLast");
+  this->averagedLast = add("averagedLast", tr("Largest value of the mean"));
   this->form->addRow(tr("Values from"), this->averagedRange);
 }
 

@@ -147,6 +147,7 @@ QWidget* CutsPanel::MakePlanes()
   auto* const group = new QGroupBox(tr("Planes"));
   this->planes = new QListWidget;
   this->planes->setMaximumHeight(90);
+  this->planes->setAccessibleName(group->title());
   this->depth = this->MakeSlider(tr("Depth of the plane"));
   this->flip = new QPushButton(tr("Flip"));
   this->remove = new QPushButton(tr("Remove"));

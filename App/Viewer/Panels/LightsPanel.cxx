@@ -184,9 +184,12 @@ void LightsPanel::MakePosition()
   auto* const column = new QVBoxLayout(this->position);
   column->setContentsMargins(0, 0, 0, 0);
   auto* const row = new QHBoxLayout;
+  const QString names[] = { tr("Place to the patient's left [mm]"), tr("Place to the back [mm]"),
+    tr("Place to the head [mm]") };
   for (int axis = 0; axis < 3; ++axis)
   {
     auto* const box = new QDoubleSpinBox;
+    box->setAccessibleName(names[axis]);
     box->setRange(-Farthest, Farthest);
     box->setDecimals(1);
     box->setKeyboardTracking(false);

@@ -49,6 +49,7 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
     new QLabel(tr("Choose Distance, Angle or Box above, then drag in the volume or in a slice. "
                   "Points can be dragged later; double-click a name to change it."));
   hint->setWordWrap(true);
+  this->table->setAccessibleName(tr("Measurements"));
   this->table->setHorizontalHeaderLabels({ tr("Name"), tr("Value") });
   this->table->horizontalHeader()->setStretchLastSection(true);
   this->table->verticalHeader()->hide();

@@ -712,6 +712,10 @@ Masken nicht unterstützt</translation>
         <source>D&amp;ark</source>
         <translation>&amp;Dunkel</translation>
     </message>
+    <message>
+        <source>High &amp;contrast</source>
+        <translation>Hoher &amp;Kontrast</translation>
+    </message>
 </context>
 <context>
     <name>TransferFunctionEditor</name>
@@ -1120,6 +1124,10 @@ Masken nicht unterstützt</translation>
         <source>VTK&apos;s CPU mapper does not support segments; choose VTK&apos;s GPU mapper.</source>
         <translation>VTKs CPU-Mapper beherrscht Segmente nicht; VTKs GPU-Mapper wählen.</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::BlendingForm</name>
@@ -1210,6 +1218,14 @@ Masken nicht unterstützt</translation>
     <message>
         <source>range of averaged values</source>
         <translation>Bereich der gemittelten Werte</translation>
+    </message>
+    <message>
+        <source>Smallest value of the mean</source>
+        <translation>Kleinster Wert des Mittels</translation>
+    </message>
+    <message>
+        <source>Largest value of the mean</source>
+        <translation>Größter Wert des Mittels</translation>
     </message>
 </context>
 <context>
@@ -1736,6 +1752,18 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Softness</source>
         <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>Place to the patient&apos;s left [mm]</source>
+        <translation>Ort nach links am Patienten [mm]</translation>
+    </message>
+    <message>
+        <source>Place to the back [mm]</source>
+        <translation>Ort nach hinten [mm]</translation>
+    </message>
+    <message>
+        <source>Place to the head [mm]</source>
+        <translation>Ort zum Kopf [mm]</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2366,22 @@ Masken nicht unterstützt</translation>
         <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
         <translation>Diese Aufnahme stammt aus einem Archiv und wird am Ende gelöscht; eine Sitzung fände sie nicht wieder. Holen Sie sie zuerst mit „Behalten in…“.</translation>
     </message>
+    <message>
+        <source>DICOM segmentation (*.dcm)</source>
+        <translation>DICOM-Segmentierung (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Axial slice</source>
+        <translation>Axiale Schicht</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Koronale Schicht</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Sagittale Schicht</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2366,22 +2410,6 @@ Masken nicht unterstützt</translation>
         <translation>Strecke</translation>
     </message>
     <message>
-    <message>
-        <source>DICOM segmentation (*.dcm)</source>
-        <translation>DICOM-Segmentierung (*.dcm)</translation>
-    </message>
-    <message>
-        <source>Axial slice</source>
-        <translation>Axiale Schicht</translation>
-    </message>
-    <message>
-        <source>Coronal slice</source>
-        <translation>Koronale Schicht</translation>
-    </message>
-    <message>
-        <source>Sagittal slice</source>
-        <translation>Sagittale Schicht</translation>
-    </message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
@@ -2400,6 +2428,10 @@ Masken nicht unterstützt</translation>
     <message>
         <source>remove all measurements</source>
         <translation>alle Messungen entfernen</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
     </message>
 </context>
 <context>
@@ -2475,6 +2507,10 @@ Masken nicht unterstützt</translation>
         <source>Remove the preset %1? This cannot be undone.</source>
         <translation>Die Vorlage %1 entfernen? Das lässt sich nicht rückgängig machen.</translation>
     </message>
+    <message>
+        <source>For other kinds of scans (%1)</source>
+        <translation>Für andere Aufnahmen (%1)</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::QualityPanel</name>
@@ -2507,10 +2543,6 @@ Masken nicht unterstützt</translation>
         <translation>Sonst sind alle Schritte so lang, wie der Abstand der Voxel es nahelegt</translation>
     </message>
     <message>
-    <message>
-        <source>For other kinds of scans (%1)</source>
-        <translation>Für andere Aufnahmen (%1)</translation>
-    </message>
         <source>promise of the error</source>
         <translation>Versprechen des Fehlers</translation>
     </message>
@@ -2652,6 +2684,18 @@ Masken nicht unterstützt</translation>
     <message>
         <source>The file ends before this slice</source>
         <translation>Die Datei endet vor dieser Schicht</translation>
+    </message>
+    <message>
+        <source>Distance of columns [mm]</source>
+        <translation>Abstand der Spalten [mm]</translation>
+    </message>
+    <message>
+        <source>Distance of rows [mm]</source>
+        <translation>Abstand der Zeilen [mm]</translation>
+    </message>
+    <message>
+        <source>Distance of slices [mm]</source>
+        <translation>Abstand der Schichten [mm]</translation>
     </message>
 </context>
 <context>
@@ -3016,6 +3060,10 @@ ml</translation>
     <message>
         <source>The volume shows segments only with the blend mode Composite.</source>
         <translation>Das Volumen zeigt Segmente nur mit der Mischung „Überlagerung“.</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
     </message>
 </context>
 <context>
@@ -3662,6 +3710,10 @@ ml</translation>
     <message>
         <source>turn the camera</source>
         <translation>Kamera drehen</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
     </message>
 </context>
 <context>

@@ -712,6 +712,10 @@ no admite máscaras</translation>
         <source>D&amp;ark</source>
         <translation>&amp;Oscuro</translation>
     </message>
+    <message>
+        <source>High &amp;contrast</source>
+        <translation>Al&amp;to contraste</translation>
+    </message>
 </context>
 <context>
     <name>TransferFunctionEditor</name>
@@ -1120,6 +1124,10 @@ no admite máscaras</translation>
         <source>VTK&apos;s CPU mapper does not support segments; choose VTK&apos;s GPU mapper.</source>
         <translation>El mapper de CPU de VTK no admite segmentos; elija el mapper de GPU de VTK.</translation>
     </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultados</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::BlendingForm</name>
@@ -1210,6 +1218,14 @@ no admite máscaras</translation>
     <message>
         <source>range of averaged values</source>
         <translation>intervalo de valores promediados</translation>
+    </message>
+    <message>
+        <source>Smallest value of the mean</source>
+        <translation>Valor mínimo de la media</translation>
+    </message>
+    <message>
+        <source>Largest value of the mean</source>
+        <translation>Valor máximo de la media</translation>
     </message>
 </context>
 <context>
@@ -1736,6 +1752,18 @@ no admite máscaras</translation>
     <message>
         <source>Softness</source>
         <translation>Suavidad</translation>
+    </message>
+    <message>
+        <source>Place to the patient&apos;s left [mm]</source>
+        <translation>Posición hacia la izquierda del paciente [mm]</translation>
+    </message>
+    <message>
+        <source>Place to the back [mm]</source>
+        <translation>Posición hacia atrás [mm]</translation>
+    </message>
+    <message>
+        <source>Place to the head [mm]</source>
+        <translation>Posición hacia la cabeza [mm]</translation>
     </message>
 </context>
 <context>
@@ -2338,6 +2366,22 @@ no admite máscaras</translation>
         <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
         <translation>Este estudio procede de un archivo y se borra al final; una sesión no podría encontrarlo. Tráigalo primero con «Conservar en…».</translation>
     </message>
+    <message>
+        <source>DICOM segmentation (*.dcm)</source>
+        <translation>Segmentación DICOM (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Axial slice</source>
+        <translation>Corte axial</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Corte coronal</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Corte sagital</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2366,22 +2410,6 @@ no admite máscaras</translation>
         <translation>Distancia</translation>
     </message>
     <message>
-    <message>
-        <source>DICOM segmentation (*.dcm)</source>
-        <translation>Segmentación DICOM (*.dcm)</translation>
-    </message>
-    <message>
-        <source>Axial slice</source>
-        <translation>Corte axial</translation>
-    </message>
-    <message>
-        <source>Coronal slice</source>
-        <translation>Corte coronal</translation>
-    </message>
-    <message>
-        <source>Sagittal slice</source>
-        <translation>Corte sagital</translation>
-    </message>
         <source>Angle</source>
         <translation>Ángulo</translation>
     </message>
@@ -2400,6 +2428,10 @@ no admite máscaras</translation>
     <message>
         <source>remove all measurements</source>
         <translation>eliminar todas las mediciones</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
     </message>
 </context>
 <context>
@@ -2475,6 +2507,10 @@ no admite máscaras</translation>
         <source>Remove the preset %1? This cannot be undone.</source>
         <translation>¿Eliminar el preajuste %1? Esto no se puede deshacer.</translation>
     </message>
+    <message>
+        <source>For other kinds of scans (%1)</source>
+        <translation>Para otros tipos de estudios (%1)</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::QualityPanel</name>
@@ -2507,10 +2543,6 @@ no admite máscaras</translation>
         <translation>Si no, todos los pasos miden lo que sugiere la distancia entre vóxeles</translation>
     </message>
     <message>
-    <message>
-        <source>For other kinds of scans (%1)</source>
-        <translation>Para otros tipos de estudios (%1)</translation>
-    </message>
         <source>promise of the error</source>
         <translation>promesa del error</translation>
     </message>
@@ -2652,6 +2684,18 @@ no admite máscaras</translation>
     <message>
         <source>The file ends before this slice</source>
         <translation>El archivo termina antes de este corte</translation>
+    </message>
+    <message>
+        <source>Distance of columns [mm]</source>
+        <translation>Distancia entre columnas [mm]</translation>
+    </message>
+    <message>
+        <source>Distance of rows [mm]</source>
+        <translation>Distancia entre filas [mm]</translation>
+    </message>
+    <message>
+        <source>Distance of slices [mm]</source>
+        <translation>Distancia entre cortes [mm]</translation>
     </message>
 </context>
 <context>
@@ -3016,6 +3060,10 @@ ml</translation>
     <message>
         <source>The volume shows segments only with the blend mode Composite.</source>
         <translation>El volumen solo muestra segmentos con el modo de mezcla «Composición».</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmentos</translation>
     </message>
 </context>
 <context>
@@ -3662,6 +3710,10 @@ ml</translation>
     <message>
         <source>turn the camera</source>
         <translation>girar la cámara</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
     </message>
 </context>
 <context>

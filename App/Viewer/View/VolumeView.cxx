@@ -66,6 +66,7 @@ VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
 {
   this->setRenderWindow(this->window);
   this->setMouseTracking(true);
+  this->setAccessibleName(tr("Volume"));
   this->window->SetMultiSamples(0);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   vtkRenderWindowInteractor* const interactor = this->interactor();
