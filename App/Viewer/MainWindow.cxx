@@ -191,7 +191,8 @@ void MainWindow::MakeFileMenu()
   file->addAction(tr("Send the i&mage to an archive…"), this, &MainWindow::SendPicture)
     ->setObjectName("sendImage");
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
-  file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport);
+  file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport)
+    ->setObjectName("exportReport");
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
 }
@@ -259,8 +260,8 @@ void MainWindow::MakePanels()
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   this->ArrangePanels();
   this->MakePanelMenu();
-}
   NamePartsOfControls(this);
+}
 
 // Stacks all panels except the last, which lies below them. Each is stacked at once, since the
 // window would grow for panels below each other.

@@ -1,0 +1,182 @@
+#include "TaskHand.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTabBar>
+#include <QTest>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace
+{
+
+constexpr double SecondsOfClick = 1.35 + 1.1 + 2 * 0.1;
+constexpr double SecondsOfDrag = 1.35 + 2 * 1.1 + 2 * 0.1;
+constexpr double SecondsOfKey = 0.28;
+
+// Queued, since a timer rests while it waits for a dialog that an answer opens.
+void AcceptName(QWidget* dialog, const QString& path)
+{
+  auto* const file = qobject_cast<QFileDialog*>(dialog);
+  Await([&] { return file != nullptr; }, "another dialog than one for a file");
+  auto* const name = file->findChild<QLineEdit*>("fileNameEdit");
+  name->setText(path);
+  QTest::keyClick(name, Qt::Key_Return);
+}
+
+}
+
+void Await(const std::function<bool()>& isDone, const char* what)
+{
+  constexpr int MostMilliseconds = 180000;
+  if (!QTest::qWaitFor(isDone, MostMilliseconds))
+  {
+    throw std::runtime_error(what);
+  }
+}
+
+TaskHand::TaskHand()
+{
+  QObject::connect(&this->timer, &QTimer::timeout, [this] { this->Answer(); });
+  this->timer.start(20);
+}
+
+void TaskHand::Click(QWidget* widget, const QPoint& place)
+{
+  ++this->clicks;
+  QTest::mouseClick(widget, Qt::LeftButton, {}, place);
+}
+
+void TaskHand::Drag(QWidget* widget, const QPoint& from, const QPoint& to)
+{
+  ++this->drags;
+  QTest::mousePress(widget, Qt::LeftButton, {}, from);
+  for (int part = 1; part <= 4; ++part)
+  {
+    QMouseEvent move(
+      QEvent::MouseMove, QPointF(from + (to - from) * part / 4), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(widget, &move);
+  }
+  QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
+}
+
+void TaskHand::ChooseFromMenu(QAction* entry)
+{
+  QMenu* menu = nullptr;
+  for (QWidget* const widget : entry->associatedWidgets())
+  {
+    menu = qobject_cast<QMenu*>(widget) ? qobject_cast<QMenu*>(widget) : menu;
+  }
+  auto* const window = qobject_cast<QMainWindow*>(
+    menu->window()->parentWidget() ? menu->parentWidget()->window() : menu->window());
+  QMenuBar* const bar = window->menuBar();
+  this->Click(bar, bar->actionGeometry(menu->menuAction()).center());
+  Await([&] { return menu->isVisible(); }, "a menu does not open");
+  this->Click(menu, menu->actionGeometry(entry).center());
+}
+
+void TaskHand::RaisePanel(QWidget* window, const QString& name)
+{
+  auto* const dock = window->findChild<QDockWidget*>(name);
+  for (QTabBar* const tabs : window->findChildren<QTabBar*>())
+  {
+    for (int i = 0; i < tabs->count(); ++i)
+    {
+      if (tabs->tabText(i) == dock->windowTitle())
+      {
+        this->Click(tabs, tabs->tabRect(i).center());
+        QTest::qWait(50);
+        return;
+      }
+    }
+  }
+  throw std::runtime_error("a panel has no tab");
+}
+
+void TaskHand::Type(QWidget* field, const QString& text)
+{
+  this->Click(field);
+  QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(field, text);
+  QTest::keyClick(field, Qt::Key_Return);
+  this->keys += text.size() + 2;
+}
+
+void TaskHand::Expect(std::function<void(QWidget*)> answer)
+{
+  this->answers.push_back(std::move(answer));
+}
+
+void TaskHand::ExpectFile(const QString& path)
+{
+  this->Expect(
+    [this, path](QWidget* dialog)
+    {
+      this->clicks += 2;
+      AcceptName(dialog, path);
+    });
+}
+
+void TaskHand::ExpectNameToSave(const QString& path)
+{
+  this->Expect(
+    [this, path](QWidget* dialog)
+    {
+      ++this->clicks;
+      AcceptName(dialog, path);
+    });
+}
+
+// An answer can open the next dialog, during which this is called again.
+void TaskHand::Answer()
+{
+  QWidget* const dialog = QApplication::activeModalWidget();
+  if (dialog && dialog->isVisible() && !this->answers.empty())
+  {
+    const auto answer = this->answers.front();
+    this->answers.pop_front();
+    QTimer::singleShot(0, dialog, [answer, dialog] { answer(dialog); });
+  }
+}
+
+double TaskHand::Seconds() const
+{
+  return this->clicks * SecondsOfClick + this->drags * SecondsOfDrag + this->keys * SecondsOfKey;
+}
+
+void TaskHand::Rest()
+{
+  this->clicks = 0;
+  this->drags = 0;
+  this->keys = 0;
+}
+
+QStringList MissingRows(const QString& path, const std::vector<Effort>& efforts)
+{
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+  {
+    throw std::runtime_error(path.toStdString() + ": cannot be read");
+  }
+  const QString table = QString::fromUtf8(file.readAll());
+  QStringList missing;
+  for (const Effort& effort : efforts)
+  {
+    const QString row = QStringLiteral("| %1 | %2 | %3 |")
+                          .arg(effort.task)
+                          .arg(effort.clicks)
+                          .arg(std::lround(effort.seconds));
+    if (!table.contains(row))
+    {
+      missing.append(row);
+    }
+  }
+  return missing;
+}
