@@ -37,33 +37,38 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
 
 }
 
-QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& scene, double seconds)
+PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper)
+{
+  return { mapper->GetAccumulatedPictures(), mapper->GetMaximumAccumulatedPictures(),
+    mapper->GetDrawnPart(), mapper->GetErrorTolerance(), mapper->GetErrorToleranceIsKept() };
+}
+
+QString PictureReport(
+  const std::optional<PictureNumbers>& ours, MapperKind kind, const Scene& scene, double seconds)
 {
   const QString time = Texts::tr("%1 ms").arg(NumberText(1e3 * seconds, 0));
-  auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(pipeline.Mapper());
   if (!ours)
   {
     return ReportOfVtk(kind, scene, time);
   }
-  if (ours->GetAccumulatedPictures() == 0)
+  if (ours->averaged == 0)
   {
-    const double part = ours->GetDrawnPart() * ours->GetMaximumAccumulatedPictures();
+    const double part = ours->drawnPart * ours->mostAveraged;
     return Texts::tr("%1\n%2 % of the image").arg(time).arg(int(100.0 * part));
   }
-  const double tolerance = scene.render.errorTolerance;
-  if (tolerance <= 0.0)
+  if (ours->errorTolerance <= 0.0)
   {
     return Texts::tr("%1\nerror not bounded").arg(time);
   }
   QString report =
-    Texts::tr("%1\nerror at most 1/%2").arg(time).arg(int(std::lround(1.0 / tolerance)));
-  if (!ours->GetErrorToleranceIsKept())
+    Texts::tr("%1\nerror at most 1/%2").arg(time).arg(int(std::lround(1.0 / ours->errorTolerance)));
+  if (!ours->keepsTolerance)
   {
     report += Texts::tr("\nexcept at single pixels");
   }
-  if (ours->GetAccumulatedPictures() > 1)
+  if (ours->averaged > 1)
   {
-    report += Texts::tr("\nmean of %1 frames").arg(ours->GetAccumulatedPictures());
+    report += Texts::tr("\nmean of %1 frames").arg(ours->averaged);
   }
   return report;
 }

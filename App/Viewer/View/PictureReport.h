@@ -5,12 +5,30 @@
 
 #include <QString>
 
+#include <optional>
+
+class vtkVariationFieldVolumeMapper;
+
 namespace varimarch
 {
 
+/// Progress and error of the last frame of our mapper.
+struct PictureNumbers
+{
+  int averaged = 1;       ///< frames in the mean that is shown; 0 until the first is complete
+  int mostAveraged = 1;   ///< frames in the mean when it is complete
+  double drawnPart = 1.0; ///< finished fraction of all these frames, [0, 1]
+  double errorTolerance = 0.0;
+  bool keepsTolerance = true; ///< false if single pixels may exceed the error tolerance
+};
+
+PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper);
+
 /// Text in the corner of an image: its rendering time and its error.
+/// @param ours     the numbers of our mapper; empty for VTK's
 /// @param seconds  until the whole image was rendered
-QString PictureReport(ScenePipeline& pipeline, MapperKind kind, const Scene& scene, double seconds);
+QString PictureReport(
+  const std::optional<PictureNumbers>& ours, MapperKind kind, const Scene& scene, double seconds);
 
 }
 

@@ -1,8 +1,7 @@
 #include "Viewer/View/VolumeView.h"
 
 #include "March/Device/GraphicsReset.h"
-#include "Scene/SceneLights.h"
-#include "Viewer/View/PictureReport.h"
+#include "Viewer/View/ShownParts.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -48,7 +47,7 @@ protected:
       this->view->tools.Paint(painter);
       DrawLegibly(painter, this->rect().adjusted(10, 10, -10, -10),
         this->view->reportSide | Qt::AlignTop,
-        PictureReport(*this->view->pipeline, this->view->kind, this->view->model->CurrentScene(),
+        PictureReport(this->view->Numbers(), this->view->kind, this->view->model->CurrentScene(),
           this->view->pictureSeconds));
     }
   }
@@ -146,44 +145,23 @@ void VolumeView::resizeEvent(QResizeEvent* event)
 
 void VolumeView::Update(ScenePart part)
 {
-  const Scene& scene = this->model->CurrentScene();
   switch (part)
   {
     case ScenePart::Volume:
       this->TakeVolume();
       break;
-    case ScenePart::Look:
-      this->pipeline->SetLook(scene.look);
-      [[fallthrough]];
-    case ScenePart::Overlays:
-      this->TakeOverlays();
-      break;
-    case ScenePart::Lights:
-      this->pipeline->SetLighting(LightingOf(scene));
-      break;
     case ScenePart::Camera:
       this->FollowCamera();
       return;
-    case ScenePart::Cuts:
-      this->pipeline->SetCuts(scene.cuts);
-      break;
     case ScenePart::Measures:
       this->TakeMeasures();
       return;
-    case ScenePart::Labels:
-      this->TakeLabels();
-      break;
-    case ScenePart::Segments:
-      this->pipeline->SetSegments(scene.labels->segments);
-      break;
-    case ScenePart::Render:
-      this->pipeline->SetRenderOptions(scene.render);
-      break;
-    case ScenePart::Background:
-      this->pipeline->SetBackground(scene.background);
-      break;
     default:
-      return;
+      if (!ShowPart(part, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()),
+            *this->pipeline))
+      {
+        return;
+      }
   }
   this->pacer.Request();
 }
@@ -202,8 +180,8 @@ void VolumeView::TakeVolume()
   }
   this->pipeline.emplace(
     this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
-  this->TakeLabels();
-  this->TakeOverlays();
+  ShowPart(ScenePart::Volume, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()),
+    *this->pipeline);
   // The corner of the view says whether the error tolerance is kept; the mapper need not warn.
   this->pipeline->Mapper()->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
   this->events->Connect(this->pipeline->Mapper(), GraphicsResetEvent, this, SLOT(LoseGraphics()));
@@ -211,21 +189,6 @@ void VolumeView::TakeVolume()
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
   this->TakeCamera();
-}
-
-void VolumeView::TakeOverlays()
-{
-  this->pipeline->SetOverlays(
-    this->model->CurrentScene().overlays, OverlayImages(*this->model->CurrentStudy()));
-}
-
-void VolumeView::TakeLabels()
-{
-  this->pipeline->SetLabels(this->model->CurrentStudy()->labels);
-  if (const auto& labels = this->model->CurrentScene().labels)
-  {
-    this->pipeline->SetSegments(labels->segments);
-  }
 }
 
 PictureFrame VolumeView::Frame() const

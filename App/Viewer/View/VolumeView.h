@@ -7,6 +7,7 @@
 #include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/FramePacer.h"
 #include "Viewer/View/Overlay.h"
+#include "Viewer/View/PictureReport.h"
 #include "Viewer/View/StillPicture.h"
 
 #include <QElapsedTimer>
@@ -109,8 +110,6 @@ private:
   void Update(ScenePart part);
   void FollowCamera();
   void TakeVolume();
-  void TakeLabels();
-  void TakeOverlays();
   void TakeMeasures();
   bool PressSegment(QEvent* event);
   void TakeCamera();
@@ -118,6 +117,7 @@ private:
   void DrawFinely();
   vtkVariationFieldVolumeMapper* OurMapper(); ///< null if this view uses VTK's mapper
   void ApplyRefining();
+  std::optional<PictureNumbers> Numbers(); ///< empty if this view uses VTK's mapper
   void Refine();
   void ContinueStill();
   Camera CurrentCamera() const;

@@ -73,6 +73,12 @@ void VolumeView::ApplyRefining()
   }
 }
 
+std::optional<PictureNumbers> VolumeView::Numbers()
+{
+  auto* const ours = this->OurMapper();
+  return ours ? NumbersOf(ours) : std::optional<PictureNumbers>();
+}
+
 void VolumeView::Refine()
 {
   if (this->still.IsIncomplete())
