@@ -24,6 +24,12 @@ public:
   ScenePipeline& Pipeline() { return this->pipeline; }
   const ScenePipeline& Pipeline() const { return this->pipeline; }
 
+  /// Sets the size of the images [pixels].
+  void Resize(int width, int height) { this->window->SetSize(width, height); }
+
+  /// Sets the rate that images keep while somebody interacts; below 1 per second they are fine.
+  void SetPicturesPerSecond(double rate) { this->window->SetDesiredUpdateRate(rate); }
+
   /// Renders, waits for the device to finish, and returns the time that this took [s].
   double Render();
 

@@ -5,7 +5,9 @@
 #include "Viewer/Model/Log.h"
 #include "Viewer/Remote/RemoteControl.h"
 #include "Viewer/Theme.h"
+#include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/OpenGLProblem.h"
+#include "Viewer/View/VolumeView.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -127,6 +129,10 @@ int RunWindow(const QCommandLineParser& parser)
   if (parser.isSet("listen") && !Listens(window, parser.value("listen")))
   {
     return EXIT_FAILURE;
+  }
+  if (varimarch::IsOpenGLOnProcessor())
+  {
+    window.CentralView()->Ours()->DrawInThread();
   }
   window.show();
   window.ShowNoticeOnce();

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -57,6 +58,22 @@ QString OpenGLProblem()
   context.doneCurrent();
   return works ? QString()
                : Problem(QCoreApplication::translate("OpenGLProblem", "a display without GLX"));
+}
+
+bool IsOpenGLOnProcessor()
+{
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext context;
+  if (!context.create() || !context.makeCurrent(&surface))
+  {
+    return false;
+  }
+  const auto* const device =
+    reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
+  const bool isProcessor = QString::fromLatin1(device).contains("llvmpipe");
+  context.doneCurrent();
+  return isProcessor;
 }
 
 }

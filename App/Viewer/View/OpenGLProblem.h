@@ -10,6 +10,9 @@ namespace varimarch
 /// VTK would crash. Empty if they can. Needs a QApplication.
 QString OpenGLProblem();
 
+/// True if the processor draws with OpenGL, by Mesa's llvmpipe. Needs a QApplication.
+bool IsOpenGLOnProcessor();
+
 }
 
 #endif

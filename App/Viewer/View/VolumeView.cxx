@@ -39,7 +39,9 @@ protected:
     {
       QPainter painter(this);
       const auto& [red, green, blue] = this->view->model->CurrentScene().background;
-      this->view->still.Paint(painter, this->rect(), QColor::fromRgbF(red, green, blue));
+      const QColor background = QColor::fromRgbF(red, green, blue);
+      this->view->still.Paint(painter, this->rect(), background);
+      this->PaintPictureOfThread(painter, background);
       DrawOverlay(painter,
         { this->view->model->CurrentScene(), this->view->texts,
           this->view->model->CurrentStudy()->volume.image },
@@ -53,6 +55,22 @@ protected:
   }
 
 private:
+  void PaintPictureOfThread(QPainter& painter, const QColor& background)
+  {
+    if (!this->view->IsDrawnInThread())
+    {
+      return;
+    }
+    if (const ThreadPicture* const picture = this->view->thread->Last())
+    {
+      painter.drawImage(this->rect(), picture->image);
+    }
+    else
+    {
+      painter.fillRect(this->rect(), background);
+    }
+  }
+
   VolumeView* view;
 };
 
@@ -162,6 +180,7 @@ void VolumeView::Update(ScenePart part)
       {
         return;
       }
+      this->Tell(part);
   }
   this->pacer.Request();
 }
@@ -189,6 +208,7 @@ void VolumeView::TakeVolume()
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
   this->TakeCamera();
+  this->Tell(ScenePart::Volume);
 }
 
 PictureFrame VolumeView::Frame() const

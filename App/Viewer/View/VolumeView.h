@@ -8,6 +8,7 @@
 #include "Viewer/View/FramePacer.h"
 #include "Viewer/View/Overlay.h"
 #include "Viewer/View/PictureReport.h"
+#include "Viewer/View/PictureThread.h"
 #include "Viewer/View/StillPicture.h"
 
 #include <QElapsedTimer>
@@ -18,6 +19,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 
 class vtkEventQtSlotConnect;
@@ -65,6 +67,11 @@ public:
   /// in parts, which keeps the window responsive, and averages several frames with different
   /// subpixel offsets. Default on. Off during comparisons, which need a single frame.
   void SetRefining(bool refining);
+
+  /// Lets a thread draw our pictures, so that this one never waits for them, as long as frames are
+  /// refined. For an OpenGL that the processor draws; a graphics card would serve two threads in
+  /// turn.
+  void DrawInThread();
 
   /// Sets the upper corner that shows time and error.
   void SetReportSide(Qt::AlignmentFlag side);
@@ -117,7 +124,12 @@ private:
   void DrawFinely();
   vtkVariationFieldVolumeMapper* OurMapper(); ///< null if this view uses VTK's mapper
   void ApplyRefining();
+  bool IsDrawnInThread() const { return this->thread && this->refines; }
+  void Tell(ScenePart part);
+  void TakePicture();
+  void GiveUpThread();
   std::optional<PictureNumbers> Numbers(); ///< empty if this view uses VTK's mapper
+  void Count(double seconds, bool refines);
   void Refine();
   void ContinueStill();
   Camera CurrentCamera() const;
@@ -133,7 +145,8 @@ private:
   QWidget* overlay; ///< an OverlayWidget
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
   FramePacer pacer;
-  StillPicture still; ///< the fine frame of VTK's GPU mapper
+  StillPicture still;                    ///< the fine frame of VTK's GPU mapper
+  std::unique_ptr<PictureThread> thread; ///< draws our frames; null if this thread does
   bool refines = true;
   bool refining = false; ///< the current frame adds to the accumulated image
   bool isWhole = true;   ///< all parts of the last frame are complete

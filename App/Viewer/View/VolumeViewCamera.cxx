@@ -49,6 +49,7 @@ void VolumeView::TakeCamera()
   const Camera& camera = this->model->CurrentScene().camera;
   this->Style()->SetAutoAdjustCameraClippingRange(!camera.clippingRangeMm);
   this->pipeline->SetCamera(camera, this->Aspect());
+  this->Tell(ScenePart::Camera);
 }
 
 void VolumeView::BeginTurning()
@@ -79,6 +80,11 @@ void VolumeView::KeepCamera()
     this->model->Edit(
       ScenePart::Camera, tr("turn the camera"), [&](Scene& scene) { scene.camera.pose = pose; },
       this->turning);
+    if (this->IsDrawnInThread())
+    {
+      this->Tell(ScenePart::Camera);
+      this->Draw(PicturesPerSecondWhileMoving);
+    }
   }
 }
 

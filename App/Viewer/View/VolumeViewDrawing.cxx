@@ -3,6 +3,7 @@
 #include "Viewer/View/VolumeView.h"
 
 #include "Scene/FloatCapture.h"
+#include "Viewer/Model/Log.h"
 #include "Viewer/WaitCursor.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -16,7 +17,6 @@ namespace
 {
 
 constexpr double PicturesPerSecondWhenStill = 0.01;
-constexpr int RefiningPictures = 8;
 constexpr double LongestPartSeconds = 0.3;
 
 }
@@ -25,6 +25,15 @@ void VolumeView::Draw(double framesPerSecond)
 {
   if (this->isLost)
   {
+    return;
+  }
+  if (this->IsDrawnInThread())
+  {
+    if (this->pipeline && !this->size().isEmpty())
+    {
+      this->thread->Draw(
+        { this->size() * this->devicePixelRatioF(), framesPerSecond, this->refining });
+    }
     return;
   }
   // While the user turns the camera, VTK's interactor style sets the rate.
@@ -71,10 +80,73 @@ void VolumeView::ApplyRefining()
     ours->SetMaximumAccumulatedPictures(this->refines ? RefiningPictures : 1);
     ours->SetLongestPartSeconds(this->refines ? LongestPartSeconds : 0.0);
   }
+  const bool isDrawnHere = !this->IsDrawnInThread();
+  this->interactor()->SetEnableRender(isDrawnHere);
+  if (this->pipeline)
+  {
+    this->pipeline->Renderer()->SetDraw(isDrawnHere);
+  }
+}
+
+void VolumeView::DrawInThread()
+{
+  this->thread = std::make_unique<PictureThread>();
+  connect(this->thread.get(), &PictureThread::Drawn, this, &VolumeView::TakePicture);
+  // Queued, because it ends the thread.
+  connect(this->thread.get(), &PictureThread::Failed, this, &VolumeView::GiveUpThread,
+    Qt::QueuedConnection);
+  this->ApplyRefining();
+  if (this->pipeline)
+  {
+    this->Tell(ScenePart::Volume);
+    this->pacer.Request();
+  }
+}
+
+void VolumeView::GiveUpThread()
+{
+  LogEvent("pictures are not drawn in a thread");
+  this->thread.reset();
+  this->ApplyRefining();
+  this->pacer.Request();
+}
+
+// Tells the thread that a part of the scene has changed. The camera is that of the view.
+void VolumeView::Tell(ScenePart part)
+{
+  if (this->thread)
+  {
+    Scene scene = this->model->CurrentScene();
+    scene.camera = this->CurrentCamera();
+    this->thread->Take(part, scene, *this->model->CurrentStudy());
+  }
+}
+
+void VolumeView::TakePicture()
+{
+  if (!this->IsDrawnInThread())
+  {
+    return;
+  }
+  const ThreadPicture picture = *this->thread->Last();
+  this->Count(picture.seconds, picture.wanted.refines);
+  if (picture.wanted.refines)
+  {
+    emit this->Refined(picture.numbers.drawnPart * picture.numbers.mostAveraged);
+  }
+  if (picture.wanted.picturesPerSecond < 1.0)
+  {
+    this->pacer.RequestRefinement();
+  }
 }
 
 std::optional<PictureNumbers> VolumeView::Numbers()
 {
+  if (this->IsDrawnInThread())
+  {
+    const ThreadPicture* const picture = this->thread->Last();
+    return picture ? picture->numbers : PictureNumbers{ 0, RefiningPictures, 0.0 };
+  }
   auto* const ours = this->OurMapper();
   return ours ? NumbersOf(ours) : std::optional<PictureNumbers>();
 }
@@ -86,16 +158,21 @@ void VolumeView::Refine()
     this->ContinueStill();
     return;
   }
-  auto* const ours = this->OurMapper();
-  if (!ours || ours->GetDrawnPart() >= 1.0 || this->isLost)
+  const std::optional<PictureNumbers> numbers = this->Numbers();
+  const bool isComplete = !numbers || numbers->drawnPart >= 1.0;
+  if (isComplete || this->isLost || (this->IsDrawnInThread() && this->thread->IsBusy()))
   {
     return;
   }
   this->refining = true;
-  this->window->Render();
+  this->Draw(PicturesPerSecondWhenStill);
   this->refining = false;
-  this->pacer.RequestRefinement();
-  emit this->Refined(ours->GetDrawnPart() * ours->GetMaximumAccumulatedPictures());
+  if (!this->IsDrawnInThread())
+  {
+    this->pacer.RequestRefinement();
+    const PictureNumbers now = *this->Numbers();
+    emit this->Refined(now.drawnPart * now.mostAveraged);
+  }
 }
 
 // A change of the scene clears the image, and the next frame begins it again.
@@ -132,19 +209,25 @@ void VolumeView::BeginPicture()
 
 void VolumeView::EndPicture()
 {
-  if (this->capturing || this->isLost)
+  if (this->capturing || this->isLost || this->IsDrawnInThread())
   {
     return;
   }
   this->window->WaitForCompletion();
-  const double seconds = 1e-9 * double(this->pictureTimer.nsecsElapsed());
+  this->Count(1e-9 * double(this->pictureTimer.nsecsElapsed()), this->refining);
+}
+
+// Counts a drawing that has just ended.
+void VolumeView::Count(double seconds, bool refines)
+{
   this->overlay->update();
-  if (this->refining && this->isWhole)
+  if (refines && this->isWhole)
   {
     return; // one of several frames to be averaged
   }
-  this->pictureSeconds = seconds + (this->refining ? this->pictureSeconds : 0.0);
-  this->isWhole = !this->OurMapper() || this->OurMapper()->GetAccumulatedPictures() > 0;
+  this->pictureSeconds = seconds + (refines ? this->pictureSeconds : 0.0);
+  const std::optional<PictureNumbers> numbers = this->Numbers();
+  this->isWhole = !numbers || numbers->averaged > 0;
   if (this->isWhole)
   {
     emit this->Drawn();

@@ -1,0 +1,81 @@
+#ifndef Varimarch_Viewer_PictureThread_h
+#define Varimarch_Viewer_PictureThread_h
+
+#include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/PictureReport.h"
+
+#include <QImage>
+#include <QObject>
+#include <QSize>
+
+#include <memory>
+#include <optional>
+
+namespace varimarch
+{
+
+/// The number of frames in the mean of a view at rest.
+constexpr int RefiningPictures = 8;
+
+/// A picture that is wanted.
+struct WantedPicture
+{
+  QSize pixels;
+  double picturesPerSecond = 0.0; ///< as OffscreenView::SetPicturesPerSecond
+  bool refines = false;           ///< true for a further part or frame of the picture before it
+};
+
+/// A picture that the thread has drawn.
+struct ThreadPicture
+{
+  QImage image; ///< over the background of the scene
+  PictureNumbers numbers;
+  double seconds = 0.0; ///< the time to draw it, or this part of it
+  WantedPicture wanted;
+};
+
+/// A thread that draws our pictures of a scene, so that the thread of the window never waits for
+/// one. It has a window without a display, a pipeline and a mapper of its own, and shares nothing
+/// with others but voxels that nobody changes. Only the newest wish counts: pictures are not
+/// queued.
+class PictureThread : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit PictureThread(QObject* parent = nullptr);
+  /// Waits until the picture at work is complete.
+  ~PictureThread() override;
+
+  /// Takes a part of a scene for the next picture. A new volume forgets the last picture, and none
+  /// of the old volume follows.
+  void Take(ScenePart part, const Scene& scene, const Study& study);
+
+  /// Draws a picture of what was taken, unless another wish comes before it is begun.
+  void Draw(const WantedPicture& wanted);
+
+  /// True while a picture is wanted or drawn.
+  bool IsBusy() const;
+
+  /// The last picture; null before the first one of a volume.
+  const ThreadPicture* Last() const { return this->last ? &*this->last : nullptr; }
+
+signals:
+  /// There is another Last() picture.
+  void Drawn();
+
+  /// The thread cannot draw here, for want of OpenGL or memory. This is the last signal.
+  void Failed();
+
+private:
+  struct Work;
+
+  void TakePicture();
+
+  std::unique_ptr<Work> work; ///< shared with the thread
+  std::optional<ThreadPicture> last;
+};
+
+}
+
+#endif

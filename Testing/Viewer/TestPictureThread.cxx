@@ -1,0 +1,122 @@
+#include "LabelledStudy.h"
+#include "Scene/OffscreenView.h"
+#include "Viewer/View/PictureThread.h"
+#include "Viewer/View/VtkPictures.h"
+#include "Waiting.h"
+
+#include <QTest>
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+#include <vtkVariationFieldVolumeMapper.h>
+
+#include <gtest/gtest.h>
+
+using namespace varimarch;
+
+namespace
+{
+
+const QSize Pixels(96, 64);
+constexpr double PicturesPerSecondAtRest = 0.01;
+
+Scene SceneOfThread()
+{
+  Scene scene = SceneOfPatient();
+  scene.size = { Pixels.width(), Pixels.height() };
+  return scene;
+}
+
+std::shared_ptr<const Study> OtherStudy()
+{
+  LoadedVolume volume = LoadVolume(ProceduralSource{ ProceduralKind::Shells, { 24, 24, 24 }, 1 });
+  ImageStatistics statistics(volume.image);
+  return std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+}
+
+QImage WithoutThread(const Scene& scene, const Study& study)
+{
+  OffscreenView view(scene, study.volume.image, MapperKind::Varimarch);
+  view.Pipeline().SetLabels(study.labels);
+  vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper())
+    ->SetMaximumAccumulatedPictures(8);
+  view.SetPicturesPerSecond(PicturesPerSecondAtRest);
+  view.Render();
+  return ImageOfBytes(view.Bytes()).convertToFormat(QImage::Format_RGB32);
+}
+
+// The first fine picture of what the thread has taken.
+QImage PictureOf(PictureThread& thread)
+{
+  thread.Draw({ Pixels, PicturesPerSecondAtRest });
+  const auto isWhole = [&]
+  { return !thread.IsBusy() && thread.Last() && thread.Last()->numbers.averaged > 0; };
+  const auto drawOn = [&]
+  {
+    if (!thread.IsBusy() && !isWhole())
+    {
+      thread.Draw({ Pixels, PicturesPerSecondAtRest, true });
+    }
+    return isWhole();
+  };
+  return QTest::qWaitFor(drawOn, MostMilliseconds) ? thread.Last()->image : QImage();
+}
+
+}
+
+TEST(PictureThread, DrawsThePictureOfItsScene)
+{
+  const auto study = SmallStudy();
+  Scene scene = SceneOfThread();
+  PictureThread thread;
+  thread.Take(ScenePart::Volume, scene, *study);
+  EXPECT_EQ(PictureOf(thread), WithoutThread(scene, *study));
+  scene.look.opacities.back().opacity = 0.2;
+  thread.Take(ScenePart::Look, scene, *study);
+  EXPECT_EQ(PictureOf(thread), WithoutThread(scene, *study)) << "of another look";
+  scene.camera.azimuthDegrees = 40.0;
+  thread.Take(ScenePart::Camera, scene, *study);
+  EXPECT_EQ(PictureOf(thread), WithoutThread(scene, *study)) << "from another place";
+}
+
+TEST(PictureThread, ShowsNothingOfAVolumeThatWasReplaced)
+{
+  const auto study = SmallStudy();
+  const auto other = OtherStudy();
+  const Scene scene = SceneOfThread();
+  PictureThread thread;
+  thread.Take(ScenePart::Volume, scene, *study);
+  ASSERT_FALSE(PictureOf(thread).isNull());
+  thread.Take(ScenePart::Volume, scene, *other);
+  EXPECT_EQ(thread.Last(), nullptr);
+  EXPECT_EQ(PictureOf(thread), WithoutThread(scene, *other));
+  // The thread has begun the picture when the volume is replaced.
+  const QImage expected = WithoutThread(scene, *study);
+  QObject::connect(&thread, &PictureThread::Drawn, &thread,
+    [&]
+    {
+      if (thread.Last()->numbers.averaged == 1)
+      {
+        EXPECT_EQ(thread.Last()->image, expected);
+      }
+    });
+  thread.Draw({ Pixels, PicturesPerSecondAtRest });
+  QTest::qSleep(5);
+  thread.Take(ScenePart::Volume, scene, *study);
+  EXPECT_EQ(PictureOf(thread), expected);
+}
+
+// The editor of segments writes into their voxels where they are.
+TEST(PictureThread, DrawsLabelsAsTheyWereTaken)
+{
+  const auto study = LabelledStudy();
+  Scene scene = SceneOfThread();
+  PictureThread thread;
+  thread.Take(ScenePart::Volume, scene, *study);
+  const QImage before = WithoutThread(scene, *study);
+  study->labels->image->GetPointData()->GetScalars()->Fill(0.0);
+  EXPECT_EQ(PictureOf(thread), before);
+  study->labels->image->Modified();
+  thread.Take(ScenePart::Labels, scene, *study);
+  EXPECT_NE(PictureOf(thread), before);
+}
