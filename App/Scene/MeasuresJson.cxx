@@ -1,5 +1,7 @@
 #include "Scene/MeasuresJson.h"
 
+#include "Scene/MeasureKinds.h"
+
 #include <nlohmann/json.hpp>
 
 namespace varimarch
@@ -8,90 +10,83 @@ namespace varimarch
 namespace
 {
 
-// Far more than anybody measures by hand.
-constexpr std::size_t MostMeasures = 1000;
-
 std::string NameFromJson(const JsonCursor& json)
 {
   const auto name = json.Find("name");
   return name ? name->Text() : std::string();
 }
 
-// Measurements that are given by two points.
-template <class Measure>
-std::vector<Measure> PairsFromJson(const JsonCursor& scene, const char* key)
+/// A list of measurements as files had it up to version 0.2.
+struct OlderList
+{
+  const char* key;
+  MeasureKind kind;
+  std::vector<std::string> points; ///< their keys
+};
+
+void ReadOlderList(const JsonCursor& scene, const OlderList& older, std::vector<Measure>& measures)
+{
+  const auto list = scene.Find(older.key);
+  std::vector<std::string> keys = older.points;
+  keys.emplace_back("name");
+  for (const JsonCursor& json : list ? list->Elements(0, MostMeasures) : std::vector<JsonCursor>())
+  {
+    json.RequireObject(keys);
+    Measure measure = { older.kind, {}, NameFromJson(json) };
+    for (const std::string& point : older.points)
+    {
+      measure.pointsMm.push_back(json.At(point).Numbers<3>());
+    }
+    measures.push_back(measure);
+  }
+}
+
+Measure MeasureFromJson(const JsonCursor& json)
+{
+  json.RequireObject({ "kind", "points", "name", "visible" });
+  Measure measure = { json.At("kind").Choice(MeasureKindNames()), {}, NameFromJson(json) };
+  const MeasureTraits& traits = TraitsOf(measure.kind);
+  for (const JsonCursor& point : json.At("points").Elements(traits.fewestPoints, traits.mostPoints))
+  {
+    measure.pointsMm.push_back(point.Numbers<3>());
+  }
+  const auto visible = json.Find("visible");
+  measure.visible = !visible || visible->Boolean();
+  return measure;
+}
+
+}
+
+std::vector<Measure> MeasuresFromJson(const JsonCursor& scene)
 {
   std::vector<Measure> measures;
-  if (const auto list = scene.Find(key))
+  ReadOlderList(scene, { "distances", MeasureKind::Distance, { "from", "to" } }, measures);
+  ReadOlderList(scene, { "angles", MeasureKind::Angle, { "from", "vertex", "to" } }, measures);
+  ReadOlderList(scene, { "boxes", MeasureKind::Box, { "from", "to" } }, measures);
+  if (const auto list = scene.Find("measures"))
   {
     for (const JsonCursor& json : list->Elements(0, MostMeasures))
     {
-      json.RequireObject({ "from", "to", "name" });
-      measures.push_back(
-        { json.At("from").Numbers<3>({}), json.At("to").Numbers<3>({}), NameFromJson(json) });
+      measures.push_back(MeasureFromJson(json));
     }
   }
   return measures;
 }
 
-template <class Measure>
-nlohmann::ordered_json JsonFromPairs(const std::vector<Measure>& measures)
+nlohmann::ordered_json JsonFromMeasures(const std::vector<Measure>& measures)
 {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Measure& measure : measures)
   {
-    json.push_back(
-      { { "from", measure.fromMm }, { "to", measure.toMm }, { "name", measure.name } });
-  }
-  return json;
-}
-
-}
-
-std::vector<Distance> DistancesFromJson(const JsonCursor& scene)
-{
-  return PairsFromJson<Distance>(scene, "distances");
-}
-
-std::vector<MeasuredBox> BoxesFromJson(const JsonCursor& scene)
-{
-  return PairsFromJson<MeasuredBox>(scene, "boxes");
-}
-
-std::vector<Angle> AnglesFromJson(const JsonCursor& scene)
-{
-  std::vector<Angle> angles;
-  if (const auto list = scene.Find("angles"))
-  {
-    for (const JsonCursor& json : list->Elements(0, MostMeasures))
+    nlohmann::ordered_json json = { { "kind", NameOf(MeasureKindNames(), measure.kind) },
+      { "points", measure.pointsMm }, { "name", measure.name } };
+    if (!measure.visible)
     {
-      json.RequireObject({ "from", "vertex", "to", "name" });
-      angles.push_back({ json.At("from").Numbers<3>({}), json.At("vertex").Numbers<3>({}),
-        json.At("to").Numbers<3>({}), NameFromJson(json) });
+      json["visible"] = false;
     }
+    list.push_back(std::move(json));
   }
-  return angles;
-}
-
-nlohmann::ordered_json JsonFromDistances(const std::vector<Distance>& distances)
-{
-  return JsonFromPairs(distances);
-}
-
-nlohmann::ordered_json JsonFromBoxes(const std::vector<MeasuredBox>& boxes)
-{
-  return JsonFromPairs(boxes);
-}
-
-nlohmann::ordered_json JsonFromAngles(const std::vector<Angle>& angles)
-{
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const Angle& angle : angles)
-  {
-    json.push_back({ { "from", angle.fromMm }, { "vertex", angle.vertexMm }, { "to", angle.toMm },
-      { "name", angle.name } });
-  }
-  return json;
+  return list;
 }
 
 }

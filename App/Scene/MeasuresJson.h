@@ -7,15 +7,11 @@
 namespace varimarch
 {
 
-// Each kind has its own key in a scene; a missing key means no measurements.
+/// The measurements of a scene, under the key "measures". Older files have "distances", "angles"
+/// and "boxes" instead, which come first.
+std::vector<Measure> MeasuresFromJson(const JsonCursor& scene);
 
-std::vector<Distance> DistancesFromJson(const JsonCursor& scene);
-std::vector<Angle> AnglesFromJson(const JsonCursor& scene);
-std::vector<MeasuredBox> BoxesFromJson(const JsonCursor& scene);
-
-nlohmann::ordered_json JsonFromDistances(const std::vector<Distance>& distances);
-nlohmann::ordered_json JsonFromAngles(const std::vector<Angle>& angles);
-nlohmann::ordered_json JsonFromBoxes(const std::vector<MeasuredBox>& boxes);
+nlohmann::ordered_json JsonFromMeasures(const std::vector<Measure>& measures);
 
 }
 

@@ -377,9 +377,7 @@ struct Scene
   Camera camera;
   SceneCuts cuts;
   SliceSettings slices;
-  std::vector<Distance> distances;
-  std::vector<Angle> angles;
-  std::vector<MeasuredBox> boxes;
+  std::vector<Measure> measures;
   std::optional<SceneLabels> labels;
   std::vector<OverlaidVolume> overlays; ///< from the lowest to the uppermost in slices
   RenderOptions render;

@@ -69,7 +69,7 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
 std::vector<std::string> KeysBesideVolume()
 {
   return { "$schema", "look", "lights", "shadows", "scattering", "occlusion", "camera", "cuts",
-    "slices", "distances", "angles", "boxes", "labels", "overlays", "render", "size",
+    "slices", "measures", "distances", "angles", "boxes", "labels", "overlays", "render", "size",
     "background" };
 }
 
@@ -90,9 +90,7 @@ void ReadAllButVolume(const JsonCursor& json, Scene& scene)
   {
     scene.slices = SlicesFromJson(*slices);
   }
-  scene.distances = DistancesFromJson(json);
-  scene.angles = AnglesFromJson(json);
-  scene.boxes = BoxesFromJson(json);
+  scene.measures = MeasuresFromJson(json);
   if (const auto labels = json.Find("labels"))
   {
     scene.labels = LabelsFromJson(*labels);
@@ -158,9 +156,7 @@ std::string SceneText(const Scene& scene)
   json["camera"] = JsonFromCamera(scene.camera);
   json["cuts"] = JsonFromCuts(scene.cuts);
   json["slices"] = JsonFromSlices(scene.slices);
-  json["distances"] = JsonFromDistances(scene.distances);
-  json["angles"] = JsonFromAngles(scene.angles);
-  json["boxes"] = JsonFromBoxes(scene.boxes);
+  json["measures"] = JsonFromMeasures(scene.measures);
   if (scene.labels)
   {
     json["labels"] = JsonFromLabels(*scene.labels);

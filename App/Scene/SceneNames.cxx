@@ -1,5 +1,7 @@
 #include "Scene/SceneNames.h"
 
+#include "Scene/MeasureKinds.h"
+
 #include <vtkType.h>
 
 #include <algorithm>
@@ -127,6 +129,20 @@ const NameTable<SliceFusion>& SliceFusionNames()
 {
   static const NameTable<SliceFusion> names = { { "blend", SliceFusion::Blend },
     { "checkerboard", SliceFusion::Checkerboard } };
+  return names;
+}
+
+const NameTable<MeasureKind>& MeasureKindNames()
+{
+  static const NameTable<MeasureKind> names = []
+  {
+    NameTable<MeasureKind> table;
+    for (const MeasureTraits& traits : AllMeasureTraits())
+    {
+      table.emplace_back(traits.name, traits.kind);
+    }
+    return table;
+  }();
   return names;
 }
 

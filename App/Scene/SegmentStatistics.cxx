@@ -1,5 +1,7 @@
 #include "Scene/SegmentStatistics.h"
 
+#include "Scene/CsvText.h"
+
 #include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
@@ -10,7 +12,6 @@
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
-#include <iomanip>
 #include <sstream>
 
 namespace varimarch
@@ -20,14 +21,6 @@ namespace
 {
 
 constexpr double Mm3PerMl = 1000.0;
-
-// RFC 4180: quotes around a text, and doubled within it.
-std::string Quoted(const std::string& text)
-{
-  std::ostringstream quoted;
-  quoted << std::quoted(text, '"', '"');
-  return quoted.str();
-}
 
 }
 
@@ -84,8 +77,8 @@ std::string CsvOf(
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     const RegionStatistics& region = statistics[i];
-    text << segments[i].value << ',' << Quoted(segments[i].name) << ',' << region.voxels << ','
-         << region.volumeMm3 / Mm3PerMl;
+    text << segments[i].value << ',' << QuotedForCsv(segments[i].name) << ',' << region.voxels
+         << ',' << region.volumeMm3 / Mm3PerMl;
     if (region.voxels > 0)
     {
       text << ',' << region.mean << ',' << region.standardDeviation << ',' << region.smallest << ','

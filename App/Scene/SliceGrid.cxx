@@ -39,12 +39,11 @@ glm::dvec3 SliceGrid::IndexAt(int column, int row) const
   return this->first + double(column) * this->right + double(row) * this->down;
 }
 
-bool SliceGrid::Holds(const glm::dvec3& index) const
+bool IsWithin(const glm::dvec3& index, const int* extent)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    // False for NaN too.
-    if (!(index[axis] >= this->extent[2 * axis] && index[axis] <= this->extent[2 * axis + 1]))
+    if (!(index[axis] >= extent[2 * axis] && index[axis] <= extent[2 * axis + 1]))
     {
       return false;
     }

@@ -8,6 +8,10 @@
 namespace varimarch
 {
 
+/// True for indices from the first to the last voxel along each axis. False for NaN.
+/// @param extent  as in vtkImageData
+bool IsWithin(const glm::dvec3& index, const int* extent);
+
 /// The pixels of a slice in a volume, as continuous indices of its voxels.
 class SliceGrid
 {
@@ -20,8 +24,8 @@ public:
   /// Difference of the indices of two points that lie this far apart along the normal.
   glm::dvec3 Through(double distanceMm) const { return distanceMm * this->throughPerMm; }
 
-  /// True for indices from the first to the last voxel along each axis.
-  bool Holds(const glm::dvec3& index) const;
+  /// True for indices within the volume.
+  bool Holds(const glm::dvec3& index) const { return IsWithin(index, this->extent); }
 
 private:
   const int* extent;

@@ -248,7 +248,9 @@ void MainWindow::MakePanels()
   dockOf("look", tr("Look"), new LookPanel(&this->model));
   dockOf("lights", tr("Lights"), new LightsPanel(&this->model));
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
-  dockOf("measures", tr("Measurements"), new MeasuresPanel(&this->model));
+  auto* const measures = new MeasuresPanel(&this->model);
+  connect(measures, &MeasuresPanel::Saved, this, &MainWindow::ShowSaved);
+  dockOf("measures", tr("Measurements"), measures);
   auto* const volumes = new VolumesPanel(&this->model);
   connect(volumes, &VolumesPanel::AddWanted, this, &MainWindow::ChooseFurtherScan);
   connect(volumes, &VolumesPanel::RegistrationWanted, this, &MainWindow::Register);

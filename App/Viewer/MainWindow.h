@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+class QAction;
+class QActionGroup;
 class QDockWidget;
 class QMenu;
 class QProgressBar;
@@ -75,6 +77,8 @@ protected:
   void childEvent(QChildEvent* event) override;
 
 private:
+  struct MenuTool;
+
   void Listen();
   void MakeViews();
   void MakeStartPage();
@@ -91,6 +95,8 @@ private:
   void MakeEditMenu();
   void MakeToolMenu();
   void MakeLeftButtonActions(QMenu* menu);
+  void MakeAnnotationActions(QMenu* menu, QActionGroup* group);
+  QAction* MakeToolAction(const MenuTool& tool, QMenu* menu, QActionGroup* group);
   void MakeComparisonActions(QMenu* menu);
   void MakeHelpMenu();
   void MakeLanguageMenu(QMenu* menu);

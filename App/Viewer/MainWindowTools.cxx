@@ -12,9 +12,19 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace varimarch
 {
+
+/// A tool of the left button in the menu.
+struct MainWindow::MenuTool
+{
+  LeftButton button;
+  QString name;
+  const char* key;
+  QString tip;
+};
 
 void MainWindow::MakeToolMenu()
 {
@@ -27,7 +37,7 @@ void MainWindow::MakeToolMenu()
 // The menu holds the shortcuts; a tool bar makes the tools visible.
 void MainWindow::MakeLeftButtonActions(QMenu* menu)
 {
-  const std::tuple<LeftButton, QString, QString, QString> tools[] = {
+  const MenuTool tools[] = {
     { LeftButton::Turn, tr("&Rotate"), "T", tr("Drag to rotate the volume") },
     { LeftButton::Walk, tr("Wa&lk"), "G",
       tr("Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around") },
@@ -44,25 +54,58 @@ void MainWindow::MakeLeftButtonActions(QMenu* menu)
   bar->setObjectName("leftButton");
   bar->setMovable(false);
   auto* const group = new QActionGroup(this);
-  for (const auto& [tool, name, key, tip] : tools)
+  for (const MenuTool& tool : tools)
   {
-    QAction* const action = group->addAction(menu->addAction(name));
-    action->setCheckable(true);
-    action->setChecked(tool == LeftButton::Turn);
-    action->setShortcut(QKeySequence(key));
-    action->setToolTip(tr("%1 (%2)").arg(tip, action->shortcut().toString()));
-    action->setStatusTip(tip);
-    bar->addAction(action);
-    connect(action, &QAction::triggered, this,
-      [this, tool = tool]
-      {
-        this->view->SetTool(tool);
-        for (SliceView* slice : this->sliceViews)
-        {
-          slice->SetTool(tool);
-        }
-      });
+    bar->addAction(this->MakeToolAction(tool, menu, group));
   }
+  auto* const more = new QToolButton;
+  more->setObjectName("annotate");
+  more->setText(tr("Annotate"));
+  more->setToolTip(tr("Cobb angles, regions, curves, arrows and texts"));
+  more->setPopupMode(QToolButton::InstantPopup);
+  QMenu* const annotations = menu->addMenu(tr("Anno&tate"));
+  this->MakeAnnotationActions(annotations, group);
+  more->setMenu(annotations);
+  bar->addWidget(more);
+}
+
+void MainWindow::MakeAnnotationActions(QMenu* menu, QActionGroup* group)
+{
+  const MenuTool tools[] = {
+    { LeftButton::CobbAngle, tr("&Cobb angle"), "Shift+A",
+      tr("Drag along one line, then another") },
+    { LeftButton::Ellipse, tr("&Ellipse"), "O",
+      tr("Drag across a slice: area, mean, deviation, smallest and largest value") },
+    { LeftButton::Freehand, tr("&Freehand region"), "Shift+O",
+      tr("Draw around a region of a slice: area, mean, deviation, smallest and largest value") },
+    { LeftButton::Curve, tr("C&urve"), "U", tr("Click along a vessel or the jaw: its length") },
+    { LeftButton::Arrow, tr("&Arrow"), "Shift+M", tr("Drag to the thing to show, then type") },
+    { LeftButton::Text, tr("&Text"), "Shift+T", tr("Click, then type") },
+  };
+  for (const MenuTool& tool : tools)
+  {
+    this->MakeToolAction(tool, menu, group);
+  }
+}
+
+QAction* MainWindow::MakeToolAction(const MenuTool& tool, QMenu* menu, QActionGroup* group)
+{
+  QAction* const action = group->addAction(menu->addAction(tool.name));
+  action->setCheckable(true);
+  action->setChecked(tool.button == LeftButton::Turn);
+  action->setShortcut(QKeySequence(tool.key));
+  action->setToolTip(tr("%1 (%2)").arg(tool.tip, action->shortcut().toString()));
+  action->setStatusTip(tool.tip);
+  connect(action, &QAction::triggered, this,
+    [this, button = tool.button]
+    {
+      this->view->SetTool(button);
+      for (SliceView* slice : this->sliceViews)
+      {
+        slice->SetTool(button);
+      }
+    });
+  return action;
 }
 
 void MainWindow::MakeComparisonActions(QMenu* menu)

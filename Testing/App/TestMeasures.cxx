@@ -1,6 +1,9 @@
 // Measurements of a volume against their formulas.
 
-#include "Scene/Measures.h"
+#include "Scene/BoxStatistics.h"
+#include "Scene/MeasureKinds.h"
+#include "Scene/MeasuresCsv.h"
+#include "Scene/VolumeLoading.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -29,12 +32,144 @@ vtkSmartPointer<vtkImageData> Ramp(int type, double offset)
   return image;
 }
 
+double Degrees(MeasureKind kind, const std::vector<std::array<double, 3>>& points)
+{
+  return *ValuesOf({ kind, points }, nullptr).degrees;
+}
+
 TEST(Angle, IsMeasuredBetweenItsArms)
 {
-  EXPECT_DOUBLE_EQ(AngleDegrees({ { 2, 0, 0 }, { 0, 0, 0 }, { 0, 3, 0 } }), 90.0);
-  EXPECT_DOUBLE_EQ(AngleDegrees({ { 3, 1, 1 }, { 1, 1, 1 }, { 2, 1, 2 } }), 45.0);
-  EXPECT_DOUBLE_EQ(AngleDegrees({ { 1, 0, 0 }, { 0, 0, 0 }, { -4, 0, 0 } }), 180.0);
-  EXPECT_EQ(AngleDegrees({ { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }), 0.0) << "an arm has no length";
+  const auto degrees = [](const std::vector<std::array<double, 3>>& points)
+  { return Degrees(MeasureKind::Angle, points); };
+  EXPECT_DOUBLE_EQ(degrees({ { 2, 0, 0 }, { 0, 0, 0 }, { 0, 3, 0 } }), 90.0);
+  EXPECT_DOUBLE_EQ(degrees({ { 3, 1, 1 }, { 1, 1, 1 }, { 2, 1, 2 } }), 45.0);
+  EXPECT_DOUBLE_EQ(degrees({ { 1, 0, 0 }, { 0, 0, 0 }, { -4, 0, 0 } }), 180.0);
+  EXPECT_EQ(degrees({ { 1, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } }), 0.0) << "an arm has no length";
+}
+
+TEST(CobbAngle, IsThatOfLinesWithoutDirection)
+{
+  const auto degrees = [](const std::vector<std::array<double, 3>>& points)
+  { return Degrees(MeasureKind::CobbAngle, points); };
+  EXPECT_DOUBLE_EQ(degrees({ { 0, 0, 0 }, { 9, 0, 0 }, { 50, 7, 3 }, { 51, 8, 3 } }), 45.0);
+  EXPECT_DOUBLE_EQ(degrees({ { 9, 0, 0 }, { 0, 0, 0 }, { 50, 7, 3 }, { 51, 8, 3 } }), 45.0);
+  EXPECT_DOUBLE_EQ(degrees({ { 0, 0, 0 }, { 9, 0, 0 }, { 0, 1, 0 }, { 0, 2, 0 } }), 90.0);
+}
+
+// Values are 100 + 10 x - 4 y + z, with x, y and z in mm; voxels of 0.5 x 0.5 x 2 mm. The middle is
+// at the world's origin.
+vtkSmartPointer<vtkImageData> FineRamp()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(121, 121, 31);
+  image->SetOrigin(-30.0, -30.0, -30.0);
+  image->SetSpacing(0.5, 0.5, 2.0);
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  auto* value = static_cast<double*>(image->GetScalarPointer());
+  for (int k = 0; k < 31; ++k)
+  {
+    for (int j = 0; j < 121; ++j)
+    {
+      for (int i = 0; i < 121; ++i)
+      {
+        *value++ = 100.0 + 10.0 * (0.5 * i - 30.0) - 4.0 * (0.5 * j - 30.0) + 2.0 * k - 30.0;
+      }
+    }
+  }
+  return image;
+}
+
+constexpr double Pi = 3.14159265358979;
+
+// The pixels that an outline cuts through may be counted or not: its length over the width of a
+// pixel, and a few more.
+double PixelsOnOutline(double lengthMm, double pixelMm)
+{
+  return 1.5 * lengthMm / pixelMm;
+}
+
+TEST(Ellipse, HasTheStatisticsOfARamp)
+{
+  const auto image = FineRamp();
+  // No pixel lies on the ellipse itself.
+  const double a = 12.1;
+  const double b = 7.1;
+  const MeasureValues found = ValuesOf(
+    { MeasureKind::Ellipse, { { 3, -2, 4.3 }, { 3 + a, -2, 4.3 }, { 3, -2 + b, 4.3 } } }, image);
+  EXPECT_NEAR(*found.areaMm2, Pi * a * b, 1e-9);
+  const RegionStatistics& values = *found.statistics;
+  EXPECT_NEAR(double(values.voxels), Pi * a * b / 0.25, PixelsOnOutline(Pi * (a + b), 0.5));
+  // The slice at z = 4 is the nearest. A linear function has its value at the middle as the mean,
+  // and a standard deviation of half of its increments along the half-diameters.
+  const double middle = 100.0 + 30.0 + 8.0 + 4.0;
+  EXPECT_NEAR(values.mean, middle, 1e-9) << "pixels lie symmetrically about the middle";
+  const double deviation = 0.5 * std::hypot(10.0 * a, 4.0 * b);
+  EXPECT_NEAR(values.standardDeviation, deviation, 0.01 * deviation);
+  const double reach = std::hypot(10.0 * a, 4.0 * b);
+  EXPECT_NEAR(values.smallest, middle - reach, 7.0) << "the sum of increments of half a pixel";
+  EXPECT_LE(values.largest, middle + reach);
+}
+
+TEST(Ellipse, HasTheStatisticsOfARampInAnObliquePlane)
+{
+  const auto image = FineRamp();
+  // Conjugate half-diameters along (1, 0, 1) and (0, 1, 0), which need not be perpendicular.
+  const double h = std::sqrt(0.5);
+  const MeasureValues found = ValuesOf(
+    { MeasureKind::Ellipse, { { 0, 0, 0 }, { 10.1 * h, 0, 10.1 * h }, { 0, 6.1, 0 } } }, image);
+  EXPECT_NEAR(*found.areaMm2, Pi * 10.1 * 6.1, 1e-9);
+  EXPECT_NEAR(
+    double(found.statistics->voxels), Pi * 10.1 * 6.1 / 0.25, PixelsOnOutline(Pi * 16.2, 0.5));
+  EXPECT_NEAR(found.statistics->mean, 100.0, 1e-6);
+  const double deviation = 0.5 * std::hypot(11.0 * 10.1 * h, 4.0 * 6.1);
+  EXPECT_NEAR(found.statistics->standardDeviation, deviation, 0.01 * deviation);
+}
+
+TEST(Freehand, CountsTheVoxelsWhoseCentresItHolds)
+{
+  const auto image = FineRamp();
+  // Half of a square of 10.2 mm, drawn in the plane of a slice: 21 x 21 voxels and the triangle.
+  const MeasureValues found = ValuesOf(
+    { MeasureKind::Freehand, { { -5.1, -5.1, 0 }, { 5.1, -5.1, 0 }, { 5.1, 5.1, 0 } } }, image);
+  EXPECT_NEAR(*found.areaMm2, 0.5 * 10.2 * 10.2, 1e-9);
+  EXPECT_NEAR(double(found.statistics->voxels), 21 * 22 / 2, 21) << "centres on the diagonal";
+  EXPECT_EQ(found.statistics->largest, 100.0 + 50.0 + 20.0);
+}
+
+TEST(Freehand, LeavesOutPixelsBesideTheVolume)
+{
+  const auto image = FineRamp();
+  const auto count = [&](double right)
+  {
+    return ValuesOf(
+      { MeasureKind::Freehand,
+        { { 20.1, -5.1, 0 }, { right, -5.1, 0 }, { right, 5.1, 0 }, { 20.1, 5.1, 0 } } },
+      image)
+      .statistics->voxels;
+  };
+  EXPECT_EQ(count(30.1), 20 * 21);
+  EXPECT_EQ(count(1e9), 20 * 21);
+  EXPECT_EQ(ValuesOf({ MeasureKind::Freehand, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } } }, image)
+              .statistics->voxels,
+    0)
+    << "without an area";
+}
+
+TEST(MeasureTable, HasALinePerMeasurementWithItsUnits)
+{
+  LoadedVolume volume;
+  volume.image = Ramp(VTK_SHORT, 0.0);
+  volume.uptakeValueFactor = 0.5;
+  const std::string table = CsvOf(
+    { { MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } }, "a \"b\", c" },
+      { MeasureKind::Box, { { 2, 2, 3 }, { 5, 6, 6 } } }, { MeasureKind::Text, { { 1, 2, 3 } } } },
+    volume);
+  EXPECT_EQ(table,
+    "number,kind,name,length_mm,angle_degrees,area_mm2,volume_mm3,voxels,mean,standard_deviation,"
+    "smallest,largest,unit,points_mm\n"
+    "1,distance,\"a \"\"b\"\", c\",5,,,,,,,,,,\"0 0 0; 3 4 0\"\n"
+    "2,box,\"\",,,,144,24,1.75,0.559016994,1,2.5,SUV,\"2 2 3; 5 6 6\"\n"
+    "3,text,\"\",,,,,,,,,,,\"1 2 3\"\n");
 }
 
 TEST(RegionStatistics, CountTheVoxelsInTheBox)
@@ -42,7 +177,7 @@ TEST(RegionStatistics, CountTheVoxelsInTheBox)
   // The box holds voxels 2 to 5 along x, 1 to 3 along y, and 1 to 2 along z, in any order of its
   // corners.
   const RegionStatistics found =
-    StatisticsOf({ { 5.4, 1.5, 7.0 }, { 1.6, 6.2, 2.9 } }, Ramp(VTK_SHORT, 0.0));
+    StatisticsOfBox({ 5.4, 1.5, 7.0 }, { 1.6, 6.2, 2.9 }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 4 * 3 * 2);
   EXPECT_DOUBLE_EQ(found.volumeMm3, 24 * 6.0);
   EXPECT_DOUBLE_EQ(found.mean, 3.5);
@@ -53,8 +188,8 @@ TEST(RegionStatistics, CountTheVoxelsInTheBox)
 
 TEST(RegionStatistics, KeepTheirDigitsWithLargeValues)
 {
-  const MeasuredBox all = { { -1, -1, -1 }, { 100, 100, 100 } };
-  const RegionStatistics found = StatisticsOf(all, Ramp(VTK_DOUBLE, 1e9));
+  const RegionStatistics found =
+    StatisticsOfBox({ -1, -1, -1 }, { 100, 100, 100 }, Ramp(VTK_DOUBLE, 1e9));
   EXPECT_EQ(found.voxels, 1000);
   EXPECT_NEAR(found.mean, 1e9 + 4.5, 1e-6);
   EXPECT_NEAR(found.standardDeviation, std::sqrt(8.25), 1e-6);
@@ -64,7 +199,7 @@ TEST(RegionStatistics, LeaveOutValuesThatAreNotFinite)
 {
   const auto image = Ramp(VTK_FLOAT, 0.0);
   image->SetScalarComponentFromDouble(0, 0, 0, 0, std::numeric_limits<double>::quiet_NaN());
-  const RegionStatistics found = StatisticsOf({ { 0, 0, 0 }, { 2, 0, 0 } }, image);
+  const RegionStatistics found = StatisticsOfBox({ 0, 0, 0 }, { 2, 0, 0 }, image);
   EXPECT_EQ(found.voxels, 2);
   EXPECT_DOUBLE_EQ(found.mean, 1.5);
 }
@@ -72,9 +207,9 @@ TEST(RegionStatistics, LeaveOutValuesThatAreNotFinite)
 TEST(RegionStatistics, CountTheVoxelsThatAThinBoxPassesThrough)
 {
   const RegionStatistics found =
-    StatisticsOf({ { 0, 0, 7.2 }, { 9, 18, 7.4 } }, Ramp(VTK_SHORT, 0.0));
+    StatisticsOfBox({ 0, 0, 7.2 }, { 9, 18, 7.4 }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 100);
-  EXPECT_EQ(StatisticsOf({ { 50, 50, 50 }, { 60, 60, 60 } }, Ramp(VTK_SHORT, 0.0)).voxels, 0)
+  EXPECT_EQ(StatisticsOfBox({ 50, 50, 50 }, { 60, 60, 60 }, Ramp(VTK_SHORT, 0.0)).voxels, 0)
     << "beside the volume";
 }
 

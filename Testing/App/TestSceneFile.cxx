@@ -67,9 +67,6 @@ Scene UnusualScene()
     { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true, 12.5 };
   scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean,
     SliceFusion::Checkerboard, 0.25, { 10.0, -20.0, 30.0 } };
-  scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "length" } };
-  scene.angles = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, { 7.0, 8.0, 9.0 }, "bend" } };
-  scene.boxes = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.5 }, "liver" } };
   scene.labels = { "/data/organs.seg.nrrd", "1.2.840.2",
     { { 7, "liver", { 0.5, 0.25, 0.125 }, false, 0.75 }, { -2, "", { 0.0, 1.0, 0.5 } } } };
   scene.overlays = UnusualOverlays(scene.look);
@@ -119,9 +116,6 @@ TEST(SceneFile, ReadsBackAsWritten)
   EXPECT_EQ(back.slices.windowLevel, scene.slices.windowLevel);
   EXPECT_EQ(back.slices.turn, scene.slices.turn);
   EXPECT_EQ(back.slices.slabMm, 5.0);
-  ASSERT_EQ(back.distances.size(), 1);
-  EXPECT_EQ(back.distances[0].fromMm, scene.distances[0].fromMm);
-  EXPECT_EQ(back.distances[0].toMm, scene.distances[0].toMm);
   EXPECT_EQ(back.render.sampleDistanceMm, 0.125);
   EXPECT_EQ(back.render.integration, Integration::Simpson);
   EXPECT_EQ(back.render.errorTolerance, 0.25);
@@ -131,16 +125,10 @@ TEST(SceneFile, ReadsBackAsWritten)
   EXPECT_EQ(raw.spacingMm[1], 0.25);
 }
 
-TEST(SceneFile, KeepsMeasurementsAndScissorsCuts)
+TEST(SceneFile, KeepsScissorsCuts)
 {
   const Scene scene = UnusualScene();
   const Scene back = SceneFromText(SceneText(scene), "test");
-  EXPECT_EQ(back.distances[0].name, "length");
-  ASSERT_EQ(back.angles.size(), 1);
-  EXPECT_EQ(back.angles[0].vertexMm, scene.angles[0].vertexMm);
-  EXPECT_EQ(back.angles[0].name, "bend");
-  ASSERT_EQ(back.boxes.size(), 1);
-  EXPECT_EQ(back.boxes[0].fromMm, scene.boxes[0].fromMm);
   EXPECT_EQ(back.slices.slabBlend, SlabBlend::Mean);
   EXPECT_TRUE(back.cuts.scissors == scene.cuts.scissors);
   EXPECT_TRUE(scene.cuts.bodyOnly);

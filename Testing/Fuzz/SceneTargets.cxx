@@ -47,9 +47,9 @@ Scene FullScene()
   scene.camera.clippingRangeMm = { { 10.0, 20.0 } };
   scene.slices.crosshairMm = { { 1.0, 2.0, 3.0 } };
   scene.slices.windowLevel = { { 400.0, 40.0 } };
-  scene.distances = { { { 0, 0, 0 }, { 1, 1, 1 }, "a \"name\"" } };
-  scene.angles = { { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 0, 0 } } };
-  scene.boxes = { { { 0, 0, 0 }, { 1, 1, 1 } } };
+  scene.measures = { { MeasureKind::Distance, { { 0, 0, 0 }, { 1, 1, 1 } }, "a \"name\"" },
+    { MeasureKind::Ellipse, { { 0, 0, 0 }, { 1, 1, 1 }, { 2, 0, 0 } }, "", false },
+    { MeasureKind::Curve, { { 0, 0, 0 } } } };
   return scene;
 }
 

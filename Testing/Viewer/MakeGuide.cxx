@@ -156,7 +156,7 @@ public:
     QTest::mouseMove(view, to);
     QTest::mouseRelease(view, Qt::LeftButton, {}, to);
     view->SetTool(LeftButton::Turn);
-    Require(this->Model()->CurrentScene().distances.size() == 1, "no distance is measured");
+    Require(this->Model()->CurrentScene().measures.size() == 1, "no distance is measured");
     this->Take("viewer-distance");
   }
 

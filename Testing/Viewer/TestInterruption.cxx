@@ -84,7 +84,8 @@ Scene Session(int version)
   Scene scene = SceneOfPatient();
   for (int i = 0; i < 1000; ++i)
   {
-    scene.distances.push_back({ { double(i), double(version), 0.0 }, { 1.0, 2.0, 3.0 }, "aorta" });
+    scene.measures.push_back({ MeasureKind::Distance,
+      { { double(i), double(version), 0.0 }, { 1.0, 2.0, 3.0 } }, "aorta" });
   }
   return scene;
 }
@@ -357,12 +358,12 @@ TEST_F(Killed, LeavesAnAutosavedCopyThatCanBeRestored)
       [&](Scene& scene)
       {
         scene = session;
-        scene.distances.front().name = std::to_string(version);
+        scene.measures.front().name = std::to_string(version);
       });
     Autosave(&model, this->folder.path()).Save();
   };
   const auto isReadable = [](const QByteArray& bytes)
-  { return SceneFromText(bytes.toStdString(), "copy").distances.size() == 1000; };
+  { return SceneFromText(bytes.toStdString(), "copy").measures.size() == 1000; };
   // A failed backup is not an error.
   this->KillWriting({ "autosaved.json" }, autosave, isReadable, false);
   SceneModel next;

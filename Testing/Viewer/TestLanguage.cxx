@@ -163,13 +163,13 @@ TEST_F(Speaking, WritesNumbersAsTheLanguageDoesAndFilesAsInC)
   model.Open(ProceduralSource(), SmallStudy());
   model.Edit(ScenePart::Measures, "measure",
     [](Scene& scene) {
-      scene.distances.push_back({ { 0, 0, 0 }, { 1234.5, 0, 0 }, {} });
+      scene.measures.push_back({ MeasureKind::Distance, { { 0, 0, 0 }, { 1234.5, 0, 0 } } });
     });
   SlabBar bar(&model);
   model.Edit(ScenePart::Slices, "slab", [](Scene& scene) { scene.slices.slabMm = 12.5; });
   EXPECT_EQ(bar.findChild<QDoubleSpinBox*>()->text(), "12,5 mm");
   const MeasureTexts texts(model.CurrentScene(), model.CurrentStudy()->volume);
-  EXPECT_EQ(texts.distances[0], "1.234,5 mm");
+  EXPECT_EQ(texts.values[0], "1.234,5 mm");
   EXPECT_NE(SceneText(model.CurrentScene()).find("1234.5"), std::string::npos);
 }
 

@@ -23,7 +23,8 @@ protected:
   {
     this->Model()->Edit(ScenePart::Measures, "measure",
       [](Scene& scene) {
-        scene.distances.push_back({ { 0, 0, 0 }, { 30, 40, 0 }, "aorta" });
+        scene.measures.push_back(
+          { MeasureKind::Distance, { { 0, 0, 0 }, { 30, 40, 0 } }, "aorta" });
       });
   }
 
@@ -48,12 +49,12 @@ TEST_F(Leaving, AsksBeforeMeasurementsAreLost)
     this->window.Open(this->Path("torso.vti"));
     EXPECT_EQ(cancel.Questions(), 2);
     EXPECT_FALSE(this->window.Loader()->IsLoading());
-    EXPECT_EQ(this->Model()->CurrentScene().distances.size(), 1u);
+    EXPECT_EQ(this->Model()->CurrentScene().measures.size(), 1u);
   }
   const Answers discard(QMessageBox::Discard, {});
   this->window.Open(this->Path("torso.vti"));
   ASSERT_TRUE(this->IsOpenedAgain(study));
-  EXPECT_TRUE(this->Model()->CurrentScene().distances.empty());
+  EXPECT_TRUE(this->Model()->CurrentScene().measures.empty());
   this->window.close();
   EXPECT_FALSE(this->window.isVisible());
   EXPECT_EQ(discard.Questions(), 1) << "nothing is lost at the end";
@@ -74,8 +75,8 @@ TEST_F(Leaving, SavesASessionThatOpensAgainAndAsksNoMore)
   this->window.show();
   this->window.Open(this->Path("sess"));
   ASSERT_TRUE(this->IsOpenedAgain(study));
-  ASSERT_EQ(this->Model()->CurrentScene().distances.size(), 1u);
-  EXPECT_EQ(this->Model()->CurrentScene().distances[0].name, "aorta");
+  ASSERT_EQ(this->Model()->CurrentScene().measures.size(), 1u);
+  EXPECT_EQ(this->Model()->CurrentScene().measures[0].name, "aorta");
   this->window.close();
   EXPECT_EQ(save.Questions(), 1);
 }
@@ -117,7 +118,7 @@ TEST_F(Leaving, KeepsTheAutosavedCopyThatWasNotRestored)
   }
   ASSERT_TRUE(
     QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
-  EXPECT_EQ(later.Model()->CurrentScene().distances.size(), 1u);
+  EXPECT_EQ(later.Model()->CurrentScene().measures.size(), 1u);
   const Answers discard(QMessageBox::Discard, {});
   later.close();
   EXPECT_EQ(discard.Questions(), 1) << "the restored work is in no file of the user's";

@@ -59,8 +59,8 @@ TEST_F(Window, CutsMeasuresAndUndoes)
   QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
   QTest::mouseMove(this->View(), middle + QPoint(0, -20));
   QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(0, -20));
-  ASSERT_EQ(this->Model()->CurrentScene().distances.size(), 1);
-  EXPECT_EQ(this->Model()->CurrentScene().distances[0].fromMm, *this->View()->PointAt(middle));
+  ASSERT_EQ(this->Model()->CurrentScene().measures.size(), 1);
+  EXPECT_EQ(this->Model()->CurrentScene().measures[0].pointsMm[0], *this->View()->PointAt(middle));
   EXPECT_EQ(this->Model()->History()->count(), 1) << "a drag is a step";
   this->View()->SetTool(LeftButton::Turn);
 
@@ -71,7 +71,7 @@ TEST_F(Window, CutsMeasuresAndUndoes)
   EXPECT_TRUE(!behind || (*behind)[1] > before);
   this->Model()->History()->undo();
   this->Model()->History()->undo();
-  EXPECT_TRUE(this->Model()->CurrentScene().distances.empty());
+  EXPECT_TRUE(this->Model()->CurrentScene().measures.empty());
 
   // Turning with the mouse is an undo step as well.
   QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);

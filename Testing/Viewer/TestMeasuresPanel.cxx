@@ -4,6 +4,7 @@
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/SlabBar.h"
+#include "Viewer/View/LabelPlaces.h"
 #include "Viewer/View/MeasureOverlay.h"
 
 #include <QComboBox>
@@ -32,9 +33,9 @@ protected:
     this->model.Edit(ScenePart::Measures, "measure",
       [](Scene& scene)
       {
-        scene.distances = { { { 0, 0, 0 }, { 3, 4, 0 }, {} } };
-        scene.angles = { { { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 0 }, "knee" } };
-        scene.boxes = { { { -20, -20, -20 }, { 20, 20, 20 }, {} } };
+        scene.measures = { { MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } },
+          { MeasureKind::Angle, { { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 0 } }, "knee" },
+          { MeasureKind::Box, { { -20, -20, -20 }, { 20, 20, 20 } } } };
       });
   }
 
@@ -51,24 +52,25 @@ TEST_F(Measures, AreListedWithTheirValues)
 {
   this->model.Edit(ScenePart::Measures, "measure",
     [](Scene& scene) {
-      scene.distances.push_back({ { 0, 0, 0 }, { 0, 0, 2 }, {} });
+      scene.measures.push_back({ MeasureKind::Text, { { 0, 0, 2 } }, "here" });
     });
   ASSERT_EQ(this->Table()->rowCount(), 4);
   EXPECT_EQ(this->Text(0, 1), "5.0 mm");
-  EXPECT_EQ(this->Text(1, 1), "2.0 mm");
-  EXPECT_EQ(this->Text(2, 0), "knee");
-  EXPECT_EQ(this->Text(2, 1), QString::fromUtf8("90.0°"));
-  EXPECT_TRUE(this->Text(3, 1).contains(" voxels")) << this->Text(3, 1).toStdString();
+  EXPECT_EQ(this->Text(1, 0), "knee");
+  EXPECT_EQ(this->Text(1, 1), QString::fromUtf8("90.0°"));
+  EXPECT_TRUE(this->Text(2, 1).contains(" voxels")) << this->Text(2, 1).toStdString();
+  EXPECT_EQ(this->Text(3, 0), "here");
+  EXPECT_EQ(this->Text(3, 1), "Text");
 }
 
 TEST_F(Measures, HaveShorterTextsForBoxesInImages)
 {
   const Study& study = *this->model.CurrentStudy();
   const MeasureTexts texts(this->model.CurrentScene(), study.volume);
-  const QStringList lines = texts.boxLabels.at(0).split('\n');
+  const QStringList lines = texts.labels.at(2).split('\n');
   ASSERT_EQ(lines.size(), 2);
-  EXPECT_TRUE(texts.boxes.at(0).startsWith(lines[0] + ", from ")) << lines[0].toStdString();
-  EXPECT_TRUE(texts.boxes.at(0).contains('\n' + lines[1] + ", ")) << lines[1].toStdString();
+  EXPECT_TRUE(texts.values.at(2).startsWith(lines[0] + ", from ")) << lines[0].toStdString();
+  EXPECT_TRUE(texts.values.at(2).contains('\n' + lines[1] + ", ")) << lines[1].toStdString();
   EXPECT_EQ(VolumeText(999.0), QString::fromUtf8("999 mm³"));
   EXPECT_EQ(VolumeText(1234.0), "1.23 ml");
 }
@@ -76,11 +78,11 @@ TEST_F(Measures, HaveShorterTextsForBoxesInImages)
 TEST_F(Measures, GiveTheUnitOfABoxAndSayThatItIsAMean)
 {
   LoadedVolume volume = this->model.CurrentStudy()->volume;
-  const QString ofCt = MeasureTexts(this->model.CurrentScene(), volume).boxLabels.at(0);
+  const QString ofCt = MeasureTexts(this->model.CurrentScene(), volume).labels.at(2);
   EXPECT_TRUE(ofCt.startsWith("mean ")) << ofCt.toStdString();
   EXPECT_TRUE(ofCt.section('\n', 0, 0).endsWith(" HU")) << ofCt.toStdString();
   volume.modality = "MR";
-  EXPECT_FALSE(MeasureTexts(this->model.CurrentScene(), volume).boxLabels.at(0).contains("HU"));
+  EXPECT_FALSE(MeasureTexts(this->model.CurrentScene(), volume).labels.at(2).contains("HU"));
 }
 
 // Overlapping labels would share pixels.
@@ -89,7 +91,8 @@ TEST_F(Measures, HaveLabelsThatDoNotOverlap)
   const auto labelPixels = [this](int count)
   {
     Scene scene;
-    scene.distances.assign(std::size_t(count), { { 0, 0, 0 }, { 10, 0, 0 }, "aorta" });
+    scene.measures.assign(
+      std::size_t(count), { MeasureKind::Distance, { { 0, 0, 0 }, { 10, 0, 0 } }, "aorta" });
     const LoadedVolume& volume = this->model.CurrentStudy()->volume;
     vtkNew<vtkCamera> camera;
     camera->SetPosition(0.0, -500.0, 0.0);
@@ -99,7 +102,7 @@ TEST_F(Measures, HaveLabelsThatDoNotOverlap)
     QPainter painter(&image);
     DrawMeasures(painter, { scene, MeasureTexts(scene, volume), volume.image },
       FrameOf(camera, image.size()),
-      { [](const auto&, const auto&) { return true; }, [](const auto&) { return false; } });
+      { [](const auto&) { return true; }, [](const auto&) { return false; } });
     painter.end();
     int pixels = 0;
     for (int i = 0; i < 400 * 300; ++i)
@@ -117,7 +120,7 @@ TEST_F(Measures, AreRenamedRemovedAndRestored)
   this->model.History()->undo();
   this->model.History()->redo();
   this->Table()->item(2, 0)->setText("liver");
-  EXPECT_EQ(this->model.CurrentScene().boxes[0].name, "liver");
+  EXPECT_EQ(this->model.CurrentScene().measures[2].name, "liver");
   this->Table()->setCurrentCell(1, 0);
   for (QPushButton* button : this->panel.findChildren<QPushButton*>())
   {
@@ -126,11 +129,51 @@ TEST_F(Measures, AreRenamedRemovedAndRestored)
       button->click();
     }
   }
-  EXPECT_TRUE(this->model.CurrentScene().angles.empty());
+  EXPECT_EQ(this->model.CurrentScene().measures[1].kind, MeasureKind::Box);
   EXPECT_EQ(this->Table()->rowCount(), 2);
   EXPECT_EQ(this->Text(1, 0), "liver");
   this->model.History()->undo();
   EXPECT_EQ(this->Text(1, 0), "knee");
+}
+
+TEST_F(Measures, AreHiddenByTheBoxBeforeTheirNames)
+{
+  this->Table()->item(1, 0)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(this->model.CurrentScene().measures[1].visible);
+  EXPECT_EQ(this->model.CurrentScene().measures[1].name, "knee");
+  EXPECT_TRUE(this->model.CurrentScene().measures[0].visible);
+  this->model.History()->undo();
+  EXPECT_EQ(this->Table()->item(1, 0)->checkState(), Qt::Checked);
+}
+
+TEST_F(Measures, AreGoneToByADoubleClick)
+{
+  emit this->Table()->cellDoubleClicked(0, 0);
+  EXPECT_FALSE(this->model.CurrentScene().slices.crosshairMm) << "a name is edited";
+  this->Table()->setCurrentCell(0, 1);
+  emit this->Table()->cellDoubleClicked(0, 1);
+  EXPECT_EQ(this->model.CurrentScene().slices.crosshairMm, (std::array<double, 3>{ 1.5, 2, 0 }));
+}
+
+TEST(Labels, NeverOverlapEvenIfThereIsNoRoomForAll)
+{
+  LabelPlaces places({ 300.0, 100.0 });
+  std::vector<QRectF> taken;
+  for (int i = 0; i < 60; ++i)
+  {
+    const QRectF wanted(140.0 + i % 3, 40.0, 60.0 + i % 2, 15.0);
+    if (const auto place = places.Take(wanted))
+    {
+      for (const QRectF& other : taken)
+      {
+        EXPECT_FALSE(other.intersects(*place));
+      }
+      EXPECT_TRUE(QRectF(0, 0, 300, 100).contains(*place));
+      taken.push_back(*place);
+    }
+  }
+  EXPECT_GE(taken.size(), 12);
+  EXPECT_LT(taken.size(), 30) << "there is room for 24";
 }
 
 TEST_F(Measures, SetTheThicknessOfSlices)

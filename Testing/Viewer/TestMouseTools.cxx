@@ -1,6 +1,6 @@
 // Tools of the left button: handles of cuts, measuring, scissors, window and level.
 
-#include "Scene/Measures.h"
+#include "Scene/MeasureKinds.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/WorldVector.h"
@@ -61,6 +61,13 @@ public:
     return NumbersOf(sight.nearest + distance * along);
   }
 
+  void AskForWords(const QPointF&, const std::function<void(const QString&)>& take) override
+  {
+    take(this->words);
+  }
+
+  QString words; ///< that the user types
+
 private:
   SceneModel* model;
 };
@@ -113,6 +120,11 @@ protected:
       [&](Scene& scene) {
         scene.cuts.planes.push_back({ MiddleOf(this->Image()), normal });
       });
+  }
+
+  double Degrees() const
+  {
+    return *ValuesOf(this->model.CurrentScene().measures[0], this->Image()).degrees;
   }
 
   const SceneCuts& Cuts() const { return this->model.CurrentScene().cuts; }
@@ -247,15 +259,67 @@ TEST_F(Tools, MeasureAnAngleInTwoDrags)
 {
   this->tools.Choose(LeftButton::Angle);
   this->DragAlong({ { 260, 150 }, { 200, 150 } });
-  EXPECT_TRUE(this->model.CurrentScene().angles.empty()) << "one arm is no angle";
+  EXPECT_TRUE(this->model.CurrentScene().measures.empty()) << "one arm is no angle";
   this->DragAlong({ { 210, 60 }, { 200, 90 } });
-  ASSERT_EQ(this->model.CurrentScene().angles.size(), 1);
-  EXPECT_NEAR(AngleDegrees(this->model.CurrentScene().angles[0]), 90.0, 1e-6);
+  ASSERT_EQ(this->model.CurrentScene().measures.size(), 1);
+  EXPECT_NEAR(this->Degrees(), 90.0, 1e-6);
   EXPECT_EQ(this->Steps(), 1);
   // The end of the angle can be dragged later.
   this->DragAlong({ { 200, 90 }, { 260, 90 } });
-  EXPECT_NEAR(AngleDegrees(this->model.CurrentScene().angles[0]), 45.0, 1e-6);
-  EXPECT_EQ(this->model.CurrentScene().angles.size(), 1);
+  EXPECT_NEAR(this->Degrees(), 45.0, 1e-6);
+  EXPECT_EQ(this->model.CurrentScene().measures.size(), 1);
+}
+
+TEST_F(Tools, MeasureACobbAngleBetweenTwoLinesInOneStep)
+{
+  this->tools.Choose(LeftButton::CobbAngle);
+  this->DragAlong({ { 150, 100 }, { 250, 100 } });
+  EXPECT_TRUE(this->model.CurrentScene().measures.empty()) << "one line is no angle";
+  this->DragAlong({ { 250, 250 }, { 200, 200 } });
+  ASSERT_EQ(this->model.CurrentScene().measures.size(), 1);
+  EXPECT_EQ(this->Steps(), 1);
+  EXPECT_NEAR(this->Degrees(), 45.0, 1e-6) << "lines have no direction";
+}
+
+TEST_F(Tools, MakeAnArrowAndATextWithTheWordsThatTheUserTypes)
+{
+  this->tools.Choose(LeftButton::Arrow);
+  this->sheet.words = "node";
+  this->DragAlong({ { 150, 100 }, { 250, 100 } });
+  ASSERT_EQ(this->model.CurrentScene().measures.size(), 1);
+  EXPECT_EQ(this->model.CurrentScene().measures[0].name, "node");
+  EXPECT_EQ(this->Steps(), 1) << "the words belong to the arrow";
+  this->tools.Choose(LeftButton::Text);
+  this->DragAlong({ { 200, 200 } });
+  EXPECT_EQ(this->model.CurrentScene().measures.size(), 2);
+  this->sheet.words = "";
+  this->DragAlong({ { 100, 200 } });
+  EXPECT_EQ(this->model.CurrentScene().measures.size(), 2) << "a text without words is none";
+  EXPECT_EQ(this->Steps(), 2);
+}
+
+TEST_F(Tools, DrawACurveByClicksEachOfWhichCanBeUndone)
+{
+  this->tools.Choose(LeftButton::Curve);
+  this->DragAlong({ { 150, 100 } });
+  this->DragAlong({ { 250, 100 } });
+  this->DragAlong({ { 250, 200 }, { 260, 210 } });
+  const auto points = [this](int i) { return this->model.CurrentScene().measures.at(i).pointsMm; };
+  ASSERT_EQ(this->model.CurrentScene().measures.size(), 1);
+  ASSERT_EQ(points(0).size(), 3);
+  EXPECT_EQ(points(0)[2], *this->sheet.PointAt({ 260, 210 }));
+  this->model.History()->undo();
+  EXPECT_EQ(points(0).size(), 2);
+  this->tools.Choose(LeftButton::Curve);
+  this->DragAlong({ { 300, 100 } });
+  EXPECT_EQ(this->model.CurrentScene().measures.size(), 2) << "chosen again, it begins another";
+}
+
+TEST_F(Tools, DrawNoEllipseInTheVolume)
+{
+  this->tools.Choose(LeftButton::Ellipse);
+  this->DragAlong({ { 150, 100 }, { 250, 150 } });
+  EXPECT_TRUE(this->model.CurrentScene().measures.empty());
 }
 
 TEST_F(Tools, MoveTheLookWithControlWhateverIsChosen)
@@ -322,27 +386,4 @@ TEST_F(Tools, LookAroundFromWhereTheEyeIs)
     glm::dot(direction(turned), direction(before)), std::cos(glm::radians(degrees)), 1e-6);
   const glm::dvec3 right = glm::cross(direction(before), VectorOf(before.viewUp));
   EXPECT_GT(glm::dot(direction(turned), right), 0.0);
-}
-
-TEST(Walking, GoesAlongTheAxesOfTheView)
-{
-  const CameraPose pose = { { 1.0, 2.0, 3.0 }, { 1.0, 2.0, -7.0 }, { 0.0, 1.0, 0.0 }, 1.0 };
-  const CameraPose walked = Walked(pose, { 5.0, 7.0, 11.0 });
-  EXPECT_NEAR(glm::distance(VectorOf(walked.positionMm), glm::dvec3(6.0, 9.0, -8.0)), 0.0, 1e-12);
-  EXPECT_NEAR(
-    glm::distance(VectorOf(walked.focalPointMm), glm::dvec3(6.0, 9.0, -18.0)), 0.0, 1e-12);
-}
-
-TEST(Walking, LooksToTheRightAndUpButNotOverhead)
-{
-  const CameraPose pose = { { 1.0, 2.0, 3.0 }, { 1.0, 2.0, -7.0 }, { 0.0, 1.0, 0.0 }, 1.0 };
-  const auto seen = [&](double right, double up)
-  {
-    const CameraPose looking = LookingAround(pose, right, up);
-    return VectorOf(looking.focalPointMm) - VectorOf(looking.positionMm);
-  };
-  EXPECT_NEAR(glm::distance(seen(90.0, 0.0), glm::dvec3(10.0, 0.0, 0.0)), 0.0, 1e-12);
-  EXPECT_NEAR(
-    glm::distance(seen(0.0, 30.0), 10.0 * glm::dvec3(0.0, 0.5, -std::sqrt(0.75))), 0.0, 1e-12);
-  EXPECT_NEAR(seen(0.0, 200.0).y, 10.0 * std::sin(glm::radians(85.0)), 1e-12);
 }

@@ -56,7 +56,8 @@ TEST(ExportedPicture, StoresTheSettingsWithoutPatientData)
   scene.volume = FileSource{ "/scans/DOE^JOHN/head.nrrd", std::nullopt, "1.2.840.99" };
   scene.look.name = "bone of DOE";
   scene.look.description = "as DOE needs it";
-  scene.distances.push_back({ { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 }, "DOE" });
+  scene.measures.push_back(
+    { MeasureKind::Distance, { { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 } }, "DOE" });
   scene.labels = { "/scans/DOE^JOHN/labels.nrrd", "1.2.840.99", study->labels->segments };
   scene.labels->segments[1].name = "tumour of DOE";
   const QString text =
@@ -65,7 +66,7 @@ TEST(ExportedPicture, StoresTheSettingsWithoutPatientData)
   EXPECT_FALSE(text.contains("1.2.840.99"));
   const Scene back = SceneFromText(text.toStdString(), "picture");
   EXPECT_EQ(back.look.opacities.size(), 2);
-  EXPECT_EQ(back.distances.size(), 1);
+  EXPECT_EQ(back.measures.size(), 1);
   ASSERT_TRUE(back.labels);
   EXPECT_EQ(back.labels->segments.size(), 2);
   EXPECT_EQ(back.size, (std::array<int, 2>{ 32, 32 }));

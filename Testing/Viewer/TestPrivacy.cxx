@@ -89,7 +89,7 @@ protected:
   {
     this->window->Model()->Edit(ScenePart::Measures, "measure",
       [](Scene& scene) {
-        scene.distances.push_back({ { 0, 0, 0 }, { 3, 4, 0 }, "aorta" });
+        scene.measures.push_back({ MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } }, "aorta" });
       });
     this->Export("Export an image", "picture.png");
     this->Export("Export a turntable", "turn.ogv");

@@ -128,11 +128,15 @@ TEST_F(Benchmark, NamesBlendModesThatVtkDoesNotSupport)
 TEST_F(Reports, StateTheSettingsWithoutPatientData)
 {
   this->model.Edit(ScenePart::Measures, "measure",
-    [](Scene& scene) {
-      scene.distances.push_back({ { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 }, "head" });
+    [](Scene& scene)
+    {
+      scene.measures.push_back(
+        { MeasureKind::Distance, { { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 } }, "head" });
+      scene.measures.push_back({ MeasureKind::Text, { { 0.0, 0.0, 0.0 } }, "see here" });
     });
   const QString text = ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy());
-  for (const char* const words : { "ct-bone", "50.0 mm", "at most 1/64", "32 x 28 x 20", "CT" })
+  for (const char* const words :
+    { "ct-bone", "50.0 mm", "at most 1/64", "32 x 28 x 20", "CT", "see here" })
   {
     EXPECT_TRUE(text.contains(words)) << words;
   }
@@ -145,8 +149,9 @@ TEST_F(Reports, FillOnePageAndKeepTheLinesOfABoxApart)
   this->model.Edit(ScenePart::Measures, "measure",
     [](Scene& scene)
     {
-      scene.boxes.push_back({ { -20, -20, -20 }, { 20, 20, 20 }, {} });
-      scene.distances.assign(3, { { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 }, {} });
+      scene.measures.assign(
+        3, { MeasureKind::Distance, { { 0.0, 0.0, 0.0 }, { 30.0, 40.0, 0.0 } } });
+      scene.measures.push_back({ MeasureKind::Box, { { -20, -20, -20 }, { 20, 20, 20 } } });
     });
   const QString text = ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy());
   EXPECT_TRUE(text.contains(QRegularExpression("HU<br>[0-9.]+ m"))) << text.toStdString();

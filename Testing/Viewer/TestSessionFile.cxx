@@ -32,13 +32,13 @@ TEST_F(Sessions, AreRestoredAsTheyWere)
 {
   this->model.Edit(ScenePart::Measures, "measure",
     [](Scene& scene) {
-      scene.distances = { { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.0 } } };
+      scene.measures = { { MeasureKind::Distance, { { 1.0, 2.0, 3.0 }, { 4.0, 5.0, 6.0 } } } };
     });
   const QString file = this->folder.filePath("scene.json");
   WriteScene(this->model.CurrentScene(), file);
   SceneModel restored;
   restored.Restore(ReadScene(file.toStdString()), SmallStudy());
-  ASSERT_EQ(restored.CurrentScene().distances.size(), 1);
+  ASSERT_EQ(restored.CurrentScene().measures.size(), 1);
   EXPECT_EQ(restored.CurrentScene().look.opacities.size(),
     this->model.CurrentScene().look.opacities.size());
   EXPECT_FALSE(restored.History()->canUndo());

@@ -214,20 +214,20 @@ TEST_F(Slices, MeasureABoxAsDeepAsItIsNarrow)
   const auto from = *this->axial.PointAt({ 60, 50 });
   const auto to = *this->axial.PointAt({ 120, 80 });
   this->DragInAxial({ 60, 50 }, { 120, 80 });
-  ASSERT_EQ(this->model.CurrentScene().boxes.size(), 1);
+  ASSERT_EQ(this->model.CurrentScene().measures.size(), 1);
   EXPECT_EQ(this->model.History()->count(), 1);
-  const MeasuredBox& box = this->model.CurrentScene().boxes[0];
-  EXPECT_NEAR(box.fromMm[0], from[0], 1e-9);
-  EXPECT_NEAR(box.toMm[1], to[1], 1e-9);
-  EXPECT_NEAR(box.toMm[2] - box.fromMm[2], to[1] - from[1], 1e-9);
+  const auto corner = [this](int i)
+  { return this->model.CurrentScene().measures.at(0).pointsMm[i]; };
+  EXPECT_NEAR(corner(0)[0], from[0], 1e-9);
+  EXPECT_NEAR(corner(1)[1], to[1], 1e-9);
+  EXPECT_NEAR(corner(1)[2] - corner(0)[2], to[1] - from[1], 1e-9);
   EXPECT_FALSE(this->model.CurrentScene().slices.crosshairMm) << "the crosshair stays";
 
   // A corner dragged within the slice keeps its depth.
-  const double depth = box.toMm[2];
+  const double depth = corner(1)[2];
   this->DragInAxial({ 120, 80 }, { 150, 80 });
-  EXPECT_NEAR(
-    this->model.CurrentScene().boxes.at(0).toMm[0], (*this->axial.PointAt({ 150, 80 }))[0], 1e-9);
-  EXPECT_NEAR(this->model.CurrentScene().boxes.at(0).toMm[2], depth, 1e-9);
+  EXPECT_NEAR(corner(1)[0], (*this->axial.PointAt({ 150, 80 }))[0], 1e-9);
+  EXPECT_NEAR(corner(1)[2], depth, 1e-9);
 }
 
 TEST_F(Slices, NameTheSegmentUnderThePointer)

@@ -215,9 +215,10 @@ TEST_F(VolumeList, MeasuresOfAPetAreUptakes)
   Scene scene;
   const auto pet = PetOver(this->model.CurrentStudy()->volume.image);
   const double* const middle = pet->volume.image->GetCenter();
-  scene.boxes = { { { middle[0] - 9.0, middle[1] - 9.0, middle[2] - 9.0 },
-    { middle[0] + 9.0, middle[1] + 9.0, middle[2] + 9.0 } } };
-  const QString text = MeasureTexts(scene, pet->volume).boxes.first();
+  scene.measures = { { MeasureKind::Box,
+    { { middle[0] - 9.0, middle[1] - 9.0, middle[2] - 9.0 },
+      { middle[0] + 9.0, middle[1] + 9.0, middle[2] + 9.0 } } } };
+  const QString text = MeasureTexts(scene, pet->volume).values.first();
   EXPECT_TRUE(text.startsWith("mean 2 ± 0 SUV, from 2 to 2 SUV")) << text.toStdString();
 }
 

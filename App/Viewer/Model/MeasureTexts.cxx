@@ -1,6 +1,6 @@
 #include "Viewer/Model/MeasureTexts.h"
 
-#include "Scene/Measures.h"
+#include "Scene/MeasureUnits.h"
 #include "Scene/Placing.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/VolumeLoading.h"
@@ -8,6 +8,8 @@
 #include "Viewer/Model/Study.h"
 
 #include <vtkImageData.h>
+
+#include <map>
 
 namespace varimarch
 {
@@ -28,30 +30,61 @@ QString MeanText(const RegionStatistics& statistics, const QString& unit)
     .arg(FourDigits(statistics.mean), FourDigits(statistics.standardDeviation), unit);
 }
 
-QString BoxText(const RegionStatistics& statistics, const QString& unit)
+QString RangeText(const RegionStatistics& statistics, const QString& unit)
 {
-  return MeasureTexts::tr("%1, from %2 to %3%4\n%5, %6 voxels")
+  return MeasureTexts::tr("%1, from %2 to %3%4")
     .arg(MeanText(statistics, unit), FourDigits(statistics.smallest),
-      FourDigits(statistics.largest), unit, VolumeText(statistics.volumeMm3))
-    .arg(statistics.voxels);
+      FourDigits(statistics.largest), unit);
 }
 
-QString UnitOf(const LoadedVolume& volume)
+QString UnitText(const LoadedVolume& volume)
 {
-  return volume.modality == "CT"     ? QStringLiteral(" HU")
-    : volume.uptakeValueFactor > 0.0 ? QStringLiteral(" SUV")
-                                     : QString();
+  const QString unit = QString::fromStdString(UnitOf(volume));
+  return unit.isEmpty() ? unit : ' ' + unit;
 }
 
-// Statistics of uptake values, where they are known.
-RegionStatistics InUnits(RegionStatistics statistics, const LoadedVolume& volume)
+QString AreaText(double areaMm2)
 {
-  const double factor = volume.uptakeValueFactor > 0.0 ? volume.uptakeValueFactor : 1.0;
-  statistics.mean *= factor;
-  statistics.standardDeviation *= factor;
-  statistics.smallest *= factor;
-  statistics.largest *= factor;
-  return statistics;
+  constexpr double Mm2PerCm2 = 100.0;
+  return areaMm2 < Mm2PerCm2 ? MeasureTexts::tr("%1 mm²").arg(NumberText(areaMm2, 1))
+                             : MeasureTexts::tr("%1 cm²").arg(NumberText(areaMm2 / Mm2PerCm2, 2));
+}
+
+/// The texts of one measurement.
+struct MeasureText
+{
+  QString value;
+  QString label;
+};
+
+// A region has an area and pixels, or a volume and voxels.
+MeasureText RegionTexts(const MeasureValues& values, const QString& unit)
+{
+  const RegionStatistics& statistics = *values.statistics;
+  const bool isFlat = bool(values.areaMm2);
+  const QString size = isFlat ? AreaText(*values.areaMm2) : VolumeText(*values.volumeMm3);
+  if (statistics.voxels == 0)
+  {
+    const QString none = isFlat ? size : MeasureTexts::tr("no voxels");
+    return { none, none };
+  }
+  const QString count =
+    (isFlat ? MeasureTexts::tr("%1 pixels") : MeasureTexts::tr("%1 voxels")).arg(statistics.voxels);
+  return { RangeText(statistics, unit) + '\n' + size + ", " + count,
+    MeanText(statistics, unit) + '\n' + size };
+}
+
+MeasureText TextsOf(const MeasureValues& values, const QString& unit)
+{
+  if (values.statistics)
+  {
+    return RegionTexts(values, unit);
+  }
+  const QString text = values.lengthMm
+    ? MeasureTexts::tr("%1 mm").arg(NumberText(*values.lengthMm, 1))
+    : values.degrees ? MeasureTexts::tr("%1°").arg(NumberText(*values.degrees, 1))
+                     : QString();
+  return { text, text };
 }
 
 // The value at a point: "HU 40", "SUV 2.35 (5868)" or "value 7".
@@ -97,23 +130,31 @@ QString SegmentText(
 
 MeasureTexts::MeasureTexts(const Scene& scene, const LoadedVolume& volume)
 {
-  for (const Distance& distance : scene.distances)
+  for (const Measure& measure : scene.measures)
   {
-    this->distances.append(tr("%1 mm").arg(NumberText(LengthMm(distance), 1)));
+    const MeasureText text =
+      TextsOf(InUnits(ValuesOf(measure, volume.image), volume), UnitText(volume));
+    const QString name = QString::fromStdString(measure.name);
+    const QString separator = name.isEmpty() || text.label.isEmpty() ? "" : ": ";
+    this->values.append(TraitsOf(measure.kind).hasWords ? name : text.value);
+    this->labels.append(name + separator + text.label);
   }
-  for (const Angle& angle : scene.angles)
-  {
-    this->angles.append(tr("%1°").arg(NumberText(AngleDegrees(angle), 1)));
-  }
-  for (const MeasuredBox& box : scene.boxes)
-  {
-    const RegionStatistics statistics = StatisticsOf(box, volume.image);
-    this->boxes.append(RegionText(statistics, volume));
-    this->boxLabels.append(statistics.voxels == 0
-        ? tr("no voxels")
-        : MeanText(InUnits(statistics, volume), UnitOf(volume)) + '\n' +
-          VolumeText(statistics.volumeMm3));
-  }
+}
+
+QString TitleOf(MeasureKind kind)
+{
+  static const std::map<MeasureKind, const char*> titles = {
+    { MeasureKind::Distance, QT_TRANSLATE_NOOP("MeasureTexts", "Distance") },
+    { MeasureKind::Angle, QT_TRANSLATE_NOOP("MeasureTexts", "Angle") },
+    { MeasureKind::CobbAngle, QT_TRANSLATE_NOOP("MeasureTexts", "Cobb angle") },
+    { MeasureKind::Box, QT_TRANSLATE_NOOP("MeasureTexts", "Box") },
+    { MeasureKind::Ellipse, QT_TRANSLATE_NOOP("MeasureTexts", "Ellipse") },
+    { MeasureKind::Freehand, QT_TRANSLATE_NOOP("MeasureTexts", "Freehand region") },
+    { MeasureKind::Curve, QT_TRANSLATE_NOOP("MeasureTexts", "Curve") },
+    { MeasureKind::Arrow, QT_TRANSLATE_NOOP("MeasureTexts", "Arrow") },
+    { MeasureKind::Text, QT_TRANSLATE_NOOP("MeasureTexts", "Text") },
+  };
+  return MeasureTexts::tr(titles.at(kind));
 }
 
 QString VolumeText(double volumeMm3)
@@ -124,8 +165,9 @@ QString VolumeText(double volumeMm3)
 
 QString RegionText(const RegionStatistics& statistics, const LoadedVolume& volume)
 {
-  return statistics.voxels == 0 ? MeasureTexts::tr("no voxels")
-                                : BoxText(InUnits(statistics, volume), UnitOf(volume));
+  return RegionTexts(
+    { {}, {}, {}, statistics.volumeMm3, InUnits(statistics, volume) }, UnitText(volume))
+    .value;
 }
 
 QString PointText(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm)

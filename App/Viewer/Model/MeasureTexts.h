@@ -17,7 +17,7 @@ struct RegionStatistics;
 struct Study;
 
 /// Texts of the measurements, one for each in the order of the scene. They are made once per edit,
-/// since box statistics read many voxels.
+/// since statistics read many voxels.
 struct MeasureTexts
 {
   Q_DECLARE_TR_FUNCTIONS(MeasureTexts)
@@ -26,17 +26,20 @@ public:
   MeasureTexts() = default;
   MeasureTexts(const Scene& scene, const LoadedVolume& volume);
 
-  QStringList distances; ///< "12.3 mm"
-  QStringList angles;    ///< "45.0°"
-  /// Two lines: "mean 312 ± 45 HU, from 10 to 420 HU", "1.23 ml, 1482 voxels".
-  QStringList boxes;
-  QStringList boxLabels; ///< short form for images: "mean 312 ± 45 HU", "1.23 ml"
+  /// "12.3 mm", "45.0°", the words of annotations, or two lines: "mean 312 ± 45 HU, from 10 to
+  /// 420 HU", "1.23 ml, 1482 voxels".
+  QStringList values;
+  /// For images: "aorta: 12.3 mm", without extremes and counts. They may be empty.
+  QStringList labels;
 };
+
+/// The name of a kind of measurement: "Distance".
+QString TitleOf(MeasureKind kind);
 
 /// "1.23 ml", or "123 mm³" below one millilitre.
 QString VolumeText(double volumeMm3);
 
-/// The two lines of MeasureTexts::boxes, or "no voxels".
+/// The two lines of a region in MeasureTexts::values, or "no voxels".
 QString RegionText(const RegionStatistics& statistics, const LoadedVolume& volume);
 
 /// "HU 41 at 12.3, -4.0, 105.5 mm, liver" for a point in world space, the last in a visible

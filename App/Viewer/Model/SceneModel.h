@@ -28,7 +28,7 @@ enum class ScenePart
   Camera,
   Cuts,
   Slices,
-  Measures,     ///< distances, angles, boxes
+  Measures,     ///< and annotations
   Labels,       ///< another segmentation, or none
   Segments,     ///< their names and looks
   Overlays,     ///< the volumes over the first: which, where, and how they look in slices

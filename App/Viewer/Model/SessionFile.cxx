@@ -54,9 +54,7 @@ QString WorkText(const Scene& scene, const Study& study)
   const auto textOf = [](const Scene& work) { return QString::fromStdString(SceneText(work)); };
   Scene work;
   work.cuts = scene.cuts;
-  work.distances = scene.distances;
-  work.angles = scene.angles;
-  work.boxes = scene.boxes;
+  work.measures = scene.measures;
   work.lights = scene.lights;
   work.shadows = scene.shadows;
   work.scattering = scene.scattering;

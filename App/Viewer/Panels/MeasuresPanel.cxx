@@ -1,53 +1,38 @@
 #include "Viewer/Panels/MeasuresPanel.h"
 
+#include "Scene/MeasureKinds.h"
+#include "Scene/MeasuresCsv.h"
+#include "Scene/OutputFile.h"
+#include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
+#include "Viewer/SaveDialog.h"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <exception>
+
 namespace varimarch
 {
-
-namespace
-{
-
-// The rows of the table list the distances, then the angles, then the boxes.
-template <class Change>
-void ChangeRow(Scene& scene, int row, const Change& change)
-{
-  const int angle = row - int(scene.distances.size());
-  const int box = angle - int(scene.angles.size());
-  if (box >= 0)
-  {
-    change(scene.boxes, box);
-  }
-  else if (angle >= 0)
-  {
-    change(scene.angles, angle);
-  }
-  else
-  {
-    change(scene.distances, row);
-  }
-}
-
-}
 
 MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   : QWidget(parent)
   , model(model)
   , table(new QTableWidget(0, 2))
+  , goTo(new QPushButton(tr("Go to")))
   , remove(new QPushButton(tr("Remove")))
   , removeAll(new QPushButton(tr("Remove all")))
+  , save(new QPushButton(tr("Save as CSV…")))
 {
-  auto* const hint =
-    new QLabel(tr("Choose Distance, Angle or Box above, then drag in the volume or in a slice. "
-                  "Points can be dragged later; double-click a name to change it."));
+  auto* const hint = new QLabel(
+    tr("Choose a measurement above, then drag in the volume or in a slice. Points can be dragged "
+       "later. Double-click a name to change it, or a value to go there."));
   hint->setWordWrap(true);
   this->table->setAccessibleName(tr("Measurements"));
   this->table->setHorizontalHeaderLabels({ tr("Name"), tr("Value") });
@@ -56,16 +41,28 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   this->table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   this->table->setSelectionBehavior(QAbstractItemView::SelectRows);
   this->table->setSelectionMode(QAbstractItemView::SingleSelection);
-  auto* const buttons = new QHBoxLayout;
-  buttons->addWidget(this->remove);
-  buttons->addWidget(this->removeAll);
+  auto* const buttons = new QGridLayout;
+  buttons->addWidget(this->goTo, 0, 0);
+  buttons->addWidget(this->save, 0, 1);
+  buttons->addWidget(this->remove, 1, 0);
+  buttons->addWidget(this->removeAll, 1, 1);
   auto* const layout = new QVBoxLayout(this);
   layout->addWidget(hint);
   layout->addWidget(this->table, 1);
   layout->addLayout(buttons);
-  connect(this->table, &QTableWidget::itemChanged, this, &MeasuresPanel::Rename);
+  connect(this->table, &QTableWidget::itemChanged, this, &MeasuresPanel::Change);
+  connect(this->table, &QTableWidget::cellDoubleClicked, this,
+    [this](int, int column)
+    {
+      if (column == 1)
+      {
+        this->GoToSelected();
+      }
+    });
+  connect(this->goTo, &QPushButton::clicked, this, &MeasuresPanel::GoToSelected);
   connect(this->remove, &QPushButton::clicked, this, &MeasuresPanel::RemoveSelected);
   connect(this->removeAll, &QPushButton::clicked, this, &MeasuresPanel::RemoveAll);
+  connect(this->save, &QPushButton::clicked, this, &MeasuresPanel::SaveTable);
   connect(model, &SceneModel::Changed, this, &MeasuresPanel::Show);
   this->setEnabled(false);
 }
@@ -79,65 +76,99 @@ void MeasuresPanel::Show(ScenePart part)
   this->setEnabled(true);
   const QSignalBlocker quiet(this->table);
   const int row = this->table->currentRow();
+  const int rowsBefore = this->table->rowCount();
   const Scene& scene = this->model->CurrentScene();
   const MeasureTexts texts(scene, this->model->CurrentStudy()->volume);
   this->table->setRowCount(0);
-  for (int i = 0; i < texts.distances.size(); ++i)
+  for (int i = 0; i < texts.values.size(); ++i)
   {
-    this->AddRow(scene.distances[i].name, tr("Distance"), texts.distances[i]);
-  }
-  for (int i = 0; i < texts.angles.size(); ++i)
-  {
-    this->AddRow(scene.angles[i].name, tr("Angle"), texts.angles[i]);
-  }
-  for (int i = 0; i < texts.boxes.size(); ++i)
-  {
-    this->AddRow(scene.boxes[i].name, tr("Box"), texts.boxes[i]);
+    this->AddRow(scene.measures[i], texts.values[i]);
   }
   const int rows = this->table->rowCount();
-  this->table->setCurrentCell(row >= 0 && row < rows ? row : rows - 1, 0);
-  this->remove->setEnabled(rows > 0);
-  this->removeAll->setEnabled(rows > 0);
+  const bool isNew = rows > rowsBefore;
+  this->table->setCurrentCell(row >= 0 && row < rows && !isNew ? row : rows - 1, 0);
+  for (QPushButton* const button : { this->goTo, this->remove, this->removeAll, this->save })
+  {
+    button->setEnabled(rows > 0);
+  }
 }
 
-void MeasuresPanel::AddRow(const std::string& name, const QString& kind, const QString& text)
+void MeasuresPanel::AddRow(const Measure& measure, const QString& text)
 {
   const int row = this->table->rowCount();
   this->table->insertRow(row);
-  this->table->setItem(
-    row, 0, new QTableWidgetItem(name.empty() ? kind : QString::fromStdString(name)));
-  auto* const value = new QTableWidgetItem(text);
+  const QString kind = TitleOf(measure.kind);
+  auto* const name =
+    new QTableWidgetItem(measure.name.empty() ? kind : QString::fromStdString(measure.name));
+  name->setFlags(name->flags() | Qt::ItemIsUserCheckable);
+  name->setCheckState(measure.visible ? Qt::Checked : Qt::Unchecked);
+  name->setToolTip(tr("%1; the box shows or hides it").arg(kind));
+  this->table->setItem(row, 0, name);
+  const bool hasWords = TraitsOf(measure.kind).hasWords;
+  auto* const value = new QTableWidgetItem(hasWords ? kind : text);
   value->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
   this->table->setItem(row, 1, value);
 }
 
-void MeasuresPanel::Rename(QTableWidgetItem* item)
+// The name and the box before it change apart from each other.
+void MeasuresPanel::Change(QTableWidgetItem* item)
 {
   const int row = item->row();
+  const Measure& before = this->model->CurrentScene().measures[row];
+  const bool visible = item->checkState() == Qt::Checked;
   const std::string name = item->text().trimmed().toStdString();
-  this->model->Edit(ScenePart::Measures, tr("rename"),
-    [&](Scene& scene)
-    { ChangeRow(scene, row, [&](auto& measures, int i) { measures[i].name = name; }); });
+  if (visible != before.visible)
+  {
+    this->model->Edit(ScenePart::Measures,
+      visible ? tr("show a measurement") : tr("hide a measurement"),
+      [&](Scene& scene) { scene.measures[row].visible = visible; });
+  }
+  else
+  {
+    this->model->Edit(
+      ScenePart::Measures, tr("rename"), [&](Scene& scene) { scene.measures[row].name = name; });
+  }
+}
+
+void MeasuresPanel::GoToSelected()
+{
+  const glm::dvec3 middle =
+    MiddleOf(this->model->CurrentScene().measures[this->table->currentRow()]);
+  this->model->Edit(ScenePart::Slices, tr("go to a measurement"),
+    [&](Scene& scene) { scene.slices.crosshairMm = NumbersOf(middle); });
 }
 
 void MeasuresPanel::RemoveSelected()
 {
   const int row = this->table->currentRow();
   this->model->Edit(ScenePart::Measures, tr("remove a measurement"),
-    [&](Scene& scene) {
-      ChangeRow(scene, row, [&](auto& measures, int i) { measures.erase(measures.begin() + i); });
-    });
+    [&](Scene& scene) { scene.measures.erase(scene.measures.begin() + row); });
 }
 
 void MeasuresPanel::RemoveAll()
 {
   this->model->Edit(ScenePart::Measures, tr("remove all measurements"),
-    [](Scene& scene)
-    {
-      scene.distances.clear();
-      scene.angles.clear();
-      scene.boxes.clear();
-    });
+    [](Scene& scene) { scene.measures.clear(); });
+}
+
+void MeasuresPanel::SaveTable()
+{
+  const QString path =
+    ChosenFileToSave(this, tr("Save the measurements"), { tr("Table (*.csv)") }, "measurements");
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    WriteFileWhole(path.toStdString(),
+      CsvOf(this->model->CurrentScene().measures, this->model->CurrentStudy()->volume));
+    emit this->Saved(path);
+  }
+  catch (const std::exception& problem)
+  {
+    QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
+  }
 }
 
 }

@@ -12,7 +12,8 @@ class QTableWidgetItem;
 namespace varimarch
 {
 
-/// A list of the measurements with editable names and their values.
+/// A list of the measurements and annotations with editable names and their values. The box before
+/// a name shows or hides one; a double-click on a value goes there.
 class MeasuresPanel : public QWidget
 {
   Q_OBJECT
@@ -20,17 +21,24 @@ class MeasuresPanel : public QWidget
 public:
   explicit MeasuresPanel(SceneModel* model, QWidget* parent = nullptr);
 
+signals:
+  void Saved(const QString& path);
+
 private:
   void Show(ScenePart part);
-  void AddRow(const std::string& name, const QString& kind, const QString& text);
-  void Rename(QTableWidgetItem* item);
+  void AddRow(const Measure& measure, const QString& text);
+  void Change(QTableWidgetItem* item);
+  void GoToSelected();
   void RemoveSelected();
   void RemoveAll();
+  void SaveTable();
 
   SceneModel* model;
-  QTableWidget* table; ///< distances, then angles, then boxes
+  QTableWidget* table; ///< in the order of the scene
+  QPushButton* goTo;
   QPushButton* remove;
   QPushButton* removeAll;
+  QPushButton* save;
 };
 
 }

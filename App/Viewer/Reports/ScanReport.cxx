@@ -97,21 +97,16 @@ QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
     Row(ReportTexts::tr("Promised error"), ErrorText(scene.render));
 }
 
-// Names of measurements are left out; they may contain a patient's name.
+// Names of measurements are left out; they may contain a patient's name. The words of annotations
+// are what they say.
 QString MeasureRows(const Scene& scene, const Study& study)
 {
   const MeasureTexts texts(scene, study.volume);
   QString rows;
-  const auto add = [&](const QString& kind, const QStringList& measures)
+  for (int i = 0; i < texts.values.size(); ++i)
   {
-    for (int i = 0; i < measures.size(); ++i)
-    {
-      rows += Row(QString("%1 %2").arg(kind).arg(i + 1), measures[i]);
-    }
-  };
-  add(ReportTexts::tr("Distance"), texts.distances);
-  add(ReportTexts::tr("Angle"), texts.angles);
-  add(ReportTexts::tr("Box"), texts.boxes);
+    rows += Row(QString("%1. %2").arg(i + 1).arg(TitleOf(scene.measures[i].kind)), texts.values[i]);
+  }
   return rows.isEmpty() ? Row(ReportTexts::tr("Measurements"), ReportTexts::tr("none")) : rows;
 }
 

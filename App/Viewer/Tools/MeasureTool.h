@@ -7,19 +7,16 @@
 #include <QCoreApplication>
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace varimarch
 {
 
-enum class MeasureKind
-{
-  Distance, ///< drag from one end to the other
-  Angle,    ///< drag from the end of one arm to the vertex, then press at the end of the other
-  Box,      ///< drag from corner to corner
-};
-
-/// Makes measurements in a view. Points of earlier ones can be dragged.
+/// Makes measurements and annotations in a view. Each press begins a line that is dragged, until
+/// there are all points of the kind; boxes, ellipses and outlines are drawn in one drag, and every
+/// press adds a point to a curve. Points of earlier ones can be dragged.
 class MeasureTool : public MouseTool
 {
   Q_DECLARE_TR_FUNCTIONS(MeasureTool)
@@ -27,8 +24,9 @@ class MeasureTool : public MouseTool
 public:
   using Point = std::array<double, 3>;
 
-  MeasureTool(SceneModel* model, const ToolSurface& surface);
+  MeasureTool(SceneModel* model, ToolSurface& surface);
 
+  /// Sets the kind to make. The next press begins a new one, also of curves.
   void SetKind(MeasureKind newKind);
 
   bool Press(const QPointF& place) override;
@@ -42,26 +40,31 @@ private:
   /// Identifies a point of a measurement.
   struct PointId
   {
-    MeasureKind kind;
     int measure;
     int point;
   };
 
   std::optional<PointId> PointNear(const QPointF& place) const;
+  bool Continues(const Scene& scene) const;
   void Begin(const Point& first);
+  void BeginMeasure(std::vector<Point> points);
+  void ContinueCurve(const Point& point);
   void MoveGrabbed(const Point& to);
-  void MakeBox(const Point& to);
+  void Reshape(const Point& to);
+  void ForgetUndone();
+  bool IsEmpty() const;
+  void AskForWords(const QPointF& place);
   void Edit(const std::function<void(Scene&)>& change);
 
   SceneModel* model;
-  const ToolSurface& surface;
+  ToolSurface& surface;
   MeasureKind kind = MeasureKind::Distance;
+  std::size_t countBefore = 0; ///< measurements that there were when the kind was chosen
   int gesture = SceneModel::NoGesture;
   std::optional<PointId> grabbed;
   bool isNew = false; ///< true if this gesture made the grabbed measurement
   Point pressed = {};
-  /// First arm of an unfinished angle: its end, then the vertex.
-  std::optional<std::array<Point, 2>> arm;
+  std::vector<Point> begun; ///< points of a measurement that lacks others
 };
 
 }

@@ -4,9 +4,12 @@
 #include "Viewer/View/PictureFrame.h"
 
 #include <QPointF>
+#include <QString>
 
 #include <array>
+#include <functional>
 #include <optional>
+#include <vector>
 
 class QPainter;
 
@@ -27,11 +30,12 @@ public:
   /// Unit normal of a slice; empty for the 3D view.
   virtual std::optional<glm::dvec3> Through() const { return std::nullopt; }
 
-  /// True if the view shows objects between two corners [mm].
-  virtual bool Shows(const std::array<double, 3>&, const std::array<double, 3>&) const
-  {
-    return true;
-  }
+  /// True if the view shows something that reaches from the first to the last of some points [mm].
+  virtual bool Shows(const std::vector<glm::dvec3>&) const { return true; }
+
+  /// Asks the user for words, which may be empty, without waiting for them.
+  virtual void AskForWords(
+    const QPointF& place, const std::function<void(const QString&)>& take) = 0;
 };
 
 /// An action of the left mouse button besides turning the camera or moving the crosshair. It edits

@@ -5,26 +5,25 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <map>
+
 namespace varimarch
 {
 
 std::optional<MeasureKind> MeasureOf(LeftButton button)
 {
-  switch (button)
-  {
-    case LeftButton::Distance:
-      return MeasureKind::Distance;
-    case LeftButton::Angle:
-      return MeasureKind::Angle;
-    case LeftButton::Box:
-      return MeasureKind::Box;
-    default:
-      return std::nullopt;
-  }
+  static const std::map<LeftButton, MeasureKind> kinds = { { LeftButton::Distance,
+                                                             MeasureKind::Distance },
+    { LeftButton::Angle, MeasureKind::Angle }, { LeftButton::CobbAngle, MeasureKind::CobbAngle },
+    { LeftButton::Box, MeasureKind::Box }, { LeftButton::Ellipse, MeasureKind::Ellipse },
+    { LeftButton::Freehand, MeasureKind::Freehand }, { LeftButton::Curve, MeasureKind::Curve },
+    { LeftButton::Arrow, MeasureKind::Arrow }, { LeftButton::Text, MeasureKind::Text } };
+  const auto kind = kinds.find(button);
+  return kind == kinds.end() ? std::nullopt : std::optional(kind->second);
 }
 
 MouseTools::MouseTools(
-  SceneModel* model, const ToolSurface& surface, const std::function<Camera()>& camera)
+  SceneModel* model, ToolSurface& surface, const std::function<Camera()>& camera)
   : handles(model, surface)
   , measure(model, surface)
   , scissors(model, surface, camera)

@@ -24,7 +24,13 @@ enum class LeftButton
   Brightness,
   Distance,
   Angle,
+  CobbAngle,
   Box,
+  Ellipse,
+  Freehand,
+  Curve,
+  Arrow,
+  Text,
   CutOut,
   KeepOnly,
 };
@@ -37,7 +43,7 @@ std::optional<MeasureKind> MeasureOf(LeftButton button);
 class MouseTools
 {
 public:
-  MouseTools(SceneModel* model, const ToolSurface& surface, const std::function<Camera()>& camera);
+  MouseTools(SceneModel* model, ToolSurface& surface, const std::function<Camera()>& camera);
 
   void Choose(LeftButton button);
   void ShowCutHandles(bool shown) { this->handles.SetShown(shown); }

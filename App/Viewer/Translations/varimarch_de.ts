@@ -204,12 +204,6 @@
         <translation>Mittel %1 ± %2%3</translation>
     </message>
     <message>
-        <source>%1, from %2 to %3%4
-%5, %6 voxels</source>
-        <translation>%1, von %2 bis %3%4
-%5, %6 Voxel</translation>
-    </message>
-    <message>
         <source>HU </source>
         <translation>HE </translation>
     </message>
@@ -224,6 +218,62 @@
     <message>
         <source>%1 at %2, %3, %4 mm</source>
         <translation>%1 bei %2, %3, %4 mm</translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3%4</source>
+        <translation>%1, von %2 bis %3%4</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 Voxel</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Cobb angle</source>
+        <translation>Cobb-Winkel</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Freehand region</source>
+        <translation>Freihand-Region</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Pfeil</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
     </message>
 </context>
 <context>
@@ -539,18 +589,6 @@ Masken nicht unterstützt</translation>
         <translation>Zugesagter Fehler</translation>
     </message>
     <message>
-        <source>Distance</source>
-        <translation>Strecke</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Quader</translation>
-    </message>
-    <message>
         <source>Measurements</source>
         <translation>Messungen</translation>
     </message>
@@ -788,6 +826,13 @@ Masken nicht unterstützt</translation>
     <message>
         <source>walk</source>
         <translation>gehen</translation>
+    </message>
+</context>
+<context>
+    <name>WordsEditor</name>
+    <message>
+        <source>Words</source>
+        <translation>Worte</translation>
     </message>
 </context>
 <context>
@@ -2394,28 +2439,12 @@ Masken nicht unterstützt</translation>
         <translation>Alle entfernen</translation>
     </message>
     <message>
-        <source>Choose Distance, Angle or Box above, then drag in the volume or in a slice. Points can be dragged later; double-click a name to change it.</source>
-        <translation>Oben Strecke, Winkel oder Quader wählen und im Volumen oder in einer Schicht ziehen. Punkte lassen sich später ziehen; ein Doppelklick auf einen Namen ändert ihn.</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
         <source>Value</source>
         <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Strecke</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Quader</translation>
     </message>
     <message>
         <source>rename</source>

@@ -204,12 +204,6 @@
         <translation>media %1 ± %2%3</translation>
     </message>
     <message>
-        <source>%1, from %2 to %3%4
-%5, %6 voxels</source>
-        <translation>%1, de %2 a %3%4
-%5, %6 vóxeles</translation>
-    </message>
-    <message>
         <source>HU </source>
         <translation>UH </translation>
     </message>
@@ -224,6 +218,62 @@
     <message>
         <source>%1 at %2, %3, %4 mm</source>
         <translation>%1 en %2, %3, %4 mm</translation>
+    </message>
+    <message>
+        <source>%1, from %2 to %3%4</source>
+        <translation>%1, de %2 a %3%4</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 píxeles</translation>
+    </message>
+    <message>
+        <source>%1 voxels</source>
+        <translation>%1 vóxeles</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distancia</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ángulo</translation>
+    </message>
+    <message>
+        <source>Cobb angle</source>
+        <translation>Ángulo de Cobb</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Caja</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Elipse</translation>
+    </message>
+    <message>
+        <source>Freehand region</source>
+        <translation>Región a mano alzada</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Curva</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flecha</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texto</translation>
     </message>
 </context>
 <context>
@@ -539,18 +589,6 @@ no admite máscaras</translation>
         <translation>Error prometido</translation>
     </message>
     <message>
-        <source>Distance</source>
-        <translation>Distancia</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Ángulo</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Caja</translation>
-    </message>
-    <message>
         <source>Measurements</source>
         <translation>Mediciones</translation>
     </message>
@@ -788,6 +826,13 @@ no admite máscaras</translation>
     <message>
         <source>walk</source>
         <translation>caminar</translation>
+    </message>
+</context>
+<context>
+    <name>WordsEditor</name>
+    <message>
+        <source>Words</source>
+        <translation>Palabras</translation>
     </message>
 </context>
 <context>
@@ -2394,28 +2439,12 @@ no admite máscaras</translation>
         <translation>Eliminar todo</translation>
     </message>
     <message>
-        <source>Choose Distance, Angle or Box above, then drag in the volume or in a slice. Points can be dragged later; double-click a name to change it.</source>
-        <translation>Elija arriba Distancia, Ángulo o Caja y arrastre en el volumen o en un corte. Los puntos se pueden mover después; un doble clic en un nombre lo cambia.</translation>
-    </message>
-    <message>
         <source>Name</source>
         <translation>Nombre</translation>
     </message>
     <message>
         <source>Value</source>
         <translation>Valor</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Distancia</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Ángulo</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Caja</translation>
     </message>
     <message>
         <source>rename</source>

@@ -1,11 +1,8 @@
 #include "Viewer/View/MeasureOverlay.h"
 
+#include "Scene/MeasureKinds.h"
 #include "Scene/WorldVector.h"
-
-#include <vtkImageData.h>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include "Viewer/View/LabelPlaces.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -22,12 +19,13 @@ const QColor TextColor(235, 235, 235);
 const QColor MarkColor(255, 210, 80);
 constexpr double LargestArcPixels = 30.0;
 
-void DrawLine(QPainter& painter, const QPointF& from, const QPointF& to, Qt::PenStyle style)
+void DrawLine(QPainter& painter, const QPolygonF& line, Qt::PenStyle style)
 {
+  painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(QColor(0, 0, 0, 160), 4.0, Qt::SolidLine, Qt::RoundCap));
-  painter.drawLine(from, to);
+  painter.drawPolyline(line);
   painter.setPen(QPen(MarkColor, 2.0, style, Qt::FlatCap));
-  painter.drawLine(from, to);
+  painter.drawPolyline(line);
 }
 
 // Draws measurements one after another; their labels give way to those drawn before.
@@ -40,12 +38,11 @@ public:
     , measured(measured)
     , frame(frame)
     , shown(shown)
+    , places(frame.size)
   {
   }
 
-  void Draw(const Distance& distance, const QString& text);
-  void Draw(const Angle& angle, const QString& text);
-  void Draw(const MeasuredBox& box, const QString& text);
+  void Draw(const Measure& measure, const QString& text);
 
   /// Draws the labels over all lines.
   void DrawLabels();
@@ -54,88 +51,99 @@ private:
   struct Label
   {
     QRectF place;
+    QPointF beside;
     QString text;
   };
 
-  QRectF PlaceOf(const QPointF& beside, const QSizeF& size) const;
-  void AddLabel(const QPointF& beside, const std::string& name, const QString& text);
+  void DrawLines(const MeasureLines& lines);
+  void DrawSign(const Measure& measure);
   void DrawArc(const QLineF& first, const QLineF& second);
-  Qt::PenStyle StyleOf(const std::array<double, 3>& from, const std::array<double, 3>& to) const;
-  std::array<std::optional<QPointF>, 8> CornersOf(const MeasuredBox& box) const;
+  void DrawArrowHead(const QLineF& arrow);
+  void DrawHandles(const Measure& measure);
+  void AddLabel(const Measure& measure, const QString& text);
+  Qt::PenStyle StyleOf(const std::vector<glm::dvec3>& line) const;
+  std::optional<QPointF> PixelOf(const glm::dvec3& point) const
+  {
+    return this->frame.pixelOf(NumbersOf(point));
+  }
 
   QPainter& painter;
   const MeasuredScene& measured;
   const PictureFrame& frame;
   const MeasuresShown& shown;
+  LabelPlaces places;
   std::vector<Label> labels;
 };
 
-// The place of a label: beside a position, below other labels, and within the image.
-QRectF MeasurePainter::PlaceOf(const QPointF& beside, const QSizeF& size) const
+void MeasurePainter::Draw(const Measure& measure, const QString& text)
 {
-  const QSizeF room = this->frame.size - size - QSizeF(4.0, 4.0);
-  const QPointF first = beside + QPointF(8.0, -size.height() - 4.0);
-  QRectF place(QPointF(std::max(2.0, std::min(first.x(), room.width())),
-                 std::max(2.0, std::min(first.y(), room.height()))),
-    size);
-  const QRectF wanted = place;
-  for (auto label = this->labels.begin(); label != this->labels.end();)
+  const MeasureLines lines = LinesOf(measure, this->measured.image);
+  std::vector<glm::dvec3> points = PointsOf(measure);
+  for (const std::vector<glm::dvec3>& line : lines)
   {
-    const bool isInTheWay = label->place.intersects(place);
-    if (isInTheWay)
-    {
-      place.moveTop(label->place.bottom() + 1.0);
-    }
-    label = isInTheWay ? this->labels.begin() : label + 1;
+    points.insert(points.end(), line.begin(), line.end());
   }
-  return place.top() <= room.height() ? place : wanted;
-}
-
-void MeasurePainter::AddLabel(const QPointF& beside, const std::string& name, const QString& text)
-{
-  const QString label = name.empty() ? text : QString::fromStdString(name) + ": " + text;
-  const QSizeF size = this->painter.boundingRect(QRectF(0, 0, 1000, 1000), 0, label).size();
-  this->labels.push_back({ this->PlaceOf(beside, size), label });
-}
-
-void MeasurePainter::DrawLabels()
-{
-  for (const Label& label : this->labels)
+  if (this->shown.reaching(points))
   {
-    DrawLegibly(this->painter, label.place, Qt::AlignLeft | Qt::AlignTop, label.text);
+    this->DrawLines(lines);
+    this->DrawSign(measure);
+    if (!lines.empty())
+    {
+      this->DrawHandles(measure);
+    }
+    this->AddLabel(measure, text);
+  }
+}
+
+// Parts behind the eye are left out.
+void MeasurePainter::DrawLines(const MeasureLines& lines)
+{
+  for (const std::vector<glm::dvec3>& line : lines)
+  {
+    const Qt::PenStyle style = this->StyleOf(line);
+    QPolygonF part;
+    for (const glm::dvec3& point : line)
+    {
+      const std::optional<QPointF> pixel = this->PixelOf(point);
+      if (pixel)
+      {
+        part << *pixel;
+      }
+      else
+      {
+        DrawLine(this->painter, part, style);
+        part.clear();
+      }
+    }
+    DrawLine(this->painter, part, style);
   }
 }
 
 // The middle of a line decides for all of it.
-Qt::PenStyle MeasurePainter::StyleOf(
-  const std::array<double, 3>& from, const std::array<double, 3>& to) const
+Qt::PenStyle MeasurePainter::StyleOf(const std::vector<glm::dvec3>& line) const
 {
-  const glm::dvec3 middle = 0.5 * (VectorOf(from) + VectorOf(to));
+  const std::size_t half = line.size() / 2;
+  const glm::dvec3 middle = line.size() == 2 ? 0.5 * (line[0] + line[1]) : line[half];
   return this->shown.isHidden(NumbersOf(middle)) ? Qt::DashLine : Qt::SolidLine;
 }
 
-void MeasurePainter::Draw(const Distance& distance, const QString& text)
+void MeasurePainter::DrawSign(const Measure& measure)
 {
-  const std::optional<QPointF> from = this->frame.pixelOf(distance.fromMm);
-  const std::optional<QPointF> to = this->frame.pixelOf(distance.toMm);
-  if (from && to)
+  const MeasureSign sign = TraitsOf(measure.kind).sign;
+  if (sign == MeasureSign::None)
   {
-    DrawMark(this->painter, *from, *to, this->StyleOf(distance.fromMm, distance.toMm));
-    this->AddLabel(0.5 * (*from + *to), distance.name, text);
+    return;
   }
-}
-
-void MeasurePainter::Draw(const Angle& angle, const QString& text)
-{
-  const std::optional<QPointF> from = this->frame.pixelOf(angle.fromMm);
-  const std::optional<QPointF> vertex = this->frame.pixelOf(angle.vertexMm);
-  const std::optional<QPointF> to = this->frame.pixelOf(angle.toMm);
-  if (from && vertex && to)
+  const std::optional<QPointF> first = this->frame.pixelOf(measure.pointsMm[0]);
+  const std::optional<QPointF> second = this->frame.pixelOf(measure.pointsMm[1]);
+  const std::optional<QPointF> last = this->frame.pixelOf(measure.pointsMm.back());
+  if (first && second && last && sign == MeasureSign::Arc)
   {
-    DrawMark(this->painter, *vertex, *from, this->StyleOf(angle.vertexMm, angle.fromMm));
-    DrawMark(this->painter, *vertex, *to, this->StyleOf(angle.vertexMm, angle.toMm));
-    this->DrawArc(QLineF(*vertex, *from), QLineF(*vertex, *to));
-    this->AddLabel(*vertex, angle.name, text);
+    this->DrawArc(QLineF(*second, *first), QLineF(*second, *last));
+  }
+  else if (first && last && sign == MeasureSign::ArrowHead)
+  {
+    this->DrawArrowHead(QLineF(*first, *last));
   }
 }
 
@@ -153,44 +161,66 @@ void MeasurePainter::DrawArc(const QLineF& first, const QLineF& second)
   this->painter.drawPath(arc);
 }
 
-std::array<std::optional<QPointF>, 8> MeasurePainter::CornersOf(const MeasuredBox& box) const
+void MeasurePainter::DrawArrowHead(const QLineF& arrow)
 {
-  vtkImageData* const image = this->measured.image;
-  glm::dvec3 first;
-  glm::dvec3 last;
-  image->TransformPhysicalPointToContinuousIndex(box.fromMm.data(), &first.x);
-  image->TransformPhysicalPointToContinuousIndex(box.toMm.data(), &last.x);
-  std::array<std::optional<QPointF>, 8> corners;
-  for (int i = 0; i < 8; ++i)
+  constexpr double HeadPixels = 14.0;
+  constexpr double HalfAngleDegrees = 22.0;
+  QPolygonF head;
+  head << arrow.p2();
+  for (const double turn : { -HalfAngleDegrees, HalfAngleDegrees })
   {
-    const glm::dvec3 index(
-      i & 1 ? last.x : first.x, i >> 1 & 1 ? last.y : first.y, i >> 2 ? last.z : first.z);
-    std::array<double, 3> world;
-    image->TransformContinuousIndexToPhysicalPoint(&index.x, world.data());
-    corners[i] = this->frame.pixelOf(world);
+    QLineF side(arrow.p2(), arrow.p1());
+    side.setLength(HeadPixels);
+    side.setAngle(side.angle() + turn);
+    head << side.p2();
   }
-  return corners;
+  this->painter.setPen(QPen(QColor(0, 0, 0, 160), 1.0));
+  this->painter.setBrush(MarkColor);
+  this->painter.drawPolygon(head);
 }
 
-void MeasurePainter::Draw(const MeasuredBox& box, const QString& text)
+void MeasurePainter::DrawHandles(const Measure& measure)
 {
-  const std::array<std::optional<QPointF>, 8> corners = this->CornersOf(box);
-  for (int i = 0; i < 8; ++i)
+  const bool hasHead = TraitsOf(measure.kind).sign == MeasureSign::ArrowHead;
+  for (std::size_t i = 0; i < HandleCount(measure) - (hasHead ? 1 : 0); ++i)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    if (const std::optional<QPointF> pixel = this->frame.pixelOf(measure.pointsMm[i]))
     {
-      const std::optional<QPointF>& other = corners[i | 1 << axis];
-      if (!(i >> axis & 1) && corners[i] && other)
-      {
-        DrawLine(this->painter, *corners[i], *other, Qt::SolidLine);
-      }
+      DrawDot(this->painter, *pixel);
     }
   }
-  if (corners[0] && corners[7])
+}
+
+void MeasurePainter::AddLabel(const Measure& measure, const QString& text)
+{
+  const int number = TraitsOf(measure.kind).labelPoint;
+  const glm::dvec3 point = number < 0 ? MiddleOf(measure) : VectorOf(measure.pointsMm[number]);
+  const std::optional<QPointF> beside = this->PixelOf(point);
+  if (!beside || text.isEmpty())
   {
-    DrawMark(this->painter, *corners[0], *corners[0]);
-    DrawMark(this->painter, *corners[7], *corners[7]);
-    this->AddLabel(*corners[7], box.name, text);
+    return;
+  }
+  const QSizeF size = this->painter.boundingRect(QRectF(0, 0, 1000, 1000), 0, text).size();
+  const QPointF corner = *beside + QPointF(8.0, -size.height() - 4.0);
+  if (const std::optional<QRectF> place = this->places.Take(QRectF(corner, size)))
+  {
+    this->labels.push_back({ *place, *beside, text });
+  }
+}
+
+// A label far from its measurement is connected to it.
+void MeasurePainter::DrawLabels()
+{
+  constexpr double FarPixels = 40.0;
+  for (const Label& label : this->labels)
+  {
+    const QLineF line(label.place.center(), label.beside);
+    if (line.length() > FarPixels + 0.5 * std::hypot(label.place.width(), label.place.height()))
+    {
+      this->painter.setPen(QPen(QColor(235, 235, 235, 120), 1.0, Qt::DotLine));
+      this->painter.drawLine(line);
+    }
+    DrawLegibly(this->painter, label.place, Qt::AlignLeft | Qt::AlignTop, label.text);
   }
 }
 
@@ -208,42 +238,29 @@ void DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QStr
   painter.drawText(box, alignment, text);
 }
 
-void DrawMark(QPainter& painter, const QPointF& from, const QPointF& to, Qt::PenStyle style)
+void DrawDot(QPainter& painter, const QPointF& place)
 {
-  DrawLine(painter, from, to, style);
   painter.setPen(QPen(MarkColor, 2.0));
   painter.setBrush(MarkColor);
-  painter.drawEllipse(from, 3.0, 3.0);
-  painter.drawEllipse(to, 3.0, 3.0);
+  painter.drawEllipse(place, 3.0, 3.0);
+}
+
+void DrawMark(QPainter& painter, const QPointF& from, const QPointF& to)
+{
+  DrawLine(painter, QPolygonF(QVector<QPointF>{ from, to }), Qt::SolidLine);
+  DrawDot(painter, from);
+  DrawDot(painter, to);
 }
 
 void DrawMeasures(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame,
   const MeasuresShown& shown)
 {
-  const auto& [scene, texts, image] = measured;
   MeasurePainter measures(painter, measured, frame, shown);
-  for (int i = 0; i < texts.distances.size(); ++i)
+  for (std::size_t i = 0; i < measured.scene.measures.size(); ++i)
   {
-    const Distance& distance = scene.distances[i];
-    if (shown.between(distance.fromMm, distance.toMm))
+    if (measured.scene.measures[i].visible)
     {
-      measures.Draw(distance, texts.distances[i]);
-    }
-  }
-  for (int i = 0; i < texts.angles.size(); ++i)
-  {
-    const Angle& angle = scene.angles[i];
-    if (shown.between(angle.fromMm, angle.vertexMm) && shown.between(angle.vertexMm, angle.toMm))
-    {
-      measures.Draw(angle, texts.angles[i]);
-    }
-  }
-  for (int i = 0; i < texts.boxLabels.size(); ++i)
-  {
-    const MeasuredBox& box = scene.boxes[i];
-    if (shown.between(box.fromMm, box.toMm))
-    {
-      measures.Draw(box, texts.boxLabels[i]);
+      measures.Draw(measured.scene.measures[i], measured.texts.labels[int(i)]);
     }
   }
   measures.DrawLabels();

@@ -7,6 +7,7 @@
 #include <QRectF>
 
 #include <functional>
+#include <vector>
 
 class QPainter;
 class vtkImageData;
@@ -25,23 +26,26 @@ struct MeasuredScene
 /// The part of the measurements that a view shows. World space [mm].
 struct MeasuresShown
 {
-  /// Returns true if the view shows objects in the box between two corners.
-  std::function<bool(const std::array<double, 3>&, const std::array<double, 3>&)> between;
+  /// Returns true if the view shows something that reaches from the first to the last of points.
+  std::function<bool(const std::vector<glm::dvec3>&)> reaching;
 
   /// Returns true for points behind something opaque; lines are dashed there.
   std::function<bool(const std::array<double, 3>&)> isHidden;
 };
 
-/// Draws distances, angles and boxes over an image; their labels do not overlap.
+/// Draws the visible measurements over an image. Their labels never overlap; one for which there is
+/// no room is left out.
 void DrawMeasures(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame,
   const MeasuresShown& shown);
 
 /// Draws text that is legible on any background.
 void DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QString& text);
 
+/// Draws a dot that can be dragged.
+void DrawDot(QPainter& painter, const QPointF& place);
+
 /// Draws a line that is visible on any background, with dots at its ends.
-void DrawMark(
-  QPainter& painter, const QPointF& from, const QPointF& to, Qt::PenStyle style = Qt::SolidLine);
+void DrawMark(QPainter& painter, const QPointF& from, const QPointF& to);
 
 }
 

@@ -93,8 +93,7 @@ void DrawOverlay(
       IsHidden(
         measured.scene, measured.image, NumbersOf(frame.sightLineAt(*pixel).nearest), point, mask);
   };
-  DrawMeasures(
-    painter, measured, frame, { [](const auto&, const auto&) { return true; }, isHidden });
+  DrawMeasures(painter, measured, frame, { [](const auto&) { return true; }, isHidden });
 }
 
 }

@@ -93,9 +93,7 @@ std::string AnonymousText(Scene scene)
   }
   ForgetNames(scene.overlays);
   ForgetOwnName(scene.look);
-  ForgetNames(scene.distances);
-  ForgetNames(scene.angles);
-  ForgetNames(scene.boxes);
+  ForgetNames(scene.measures);
   if (scene.labels)
   {
     scene.labels->path = "labels";

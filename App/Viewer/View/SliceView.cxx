@@ -39,6 +39,10 @@ SliceView::SliceView(SceneModel* model, SlicePlane plane, QWidget* parent)
   this->setMouseTracking(true);
   this->setFocusPolicy(Qt::StrongFocus);
   connect(model, &SceneModel::Changed, this, &SliceView::Update);
+  if (model->CurrentStudy())
+  {
+    this->Update(ScenePart::Volume);
+  }
 }
 
 void SliceView::Update(ScenePart part)
@@ -89,48 +93,6 @@ bool SliceView::PressSegment(const QMouseEvent* event)
 bool SliceView::Draws() const
 {
   return this->segmentEditor && this->segmentEditor->TakesSlices();
-}
-
-PictureFrame SliceView::Frame() const
-{
-  const SliceAxes axes = this->Axes();
-  const glm::dvec3 through = VectorOf(axes.through);
-  const auto sightLineAt = [this, through](const QPointF& place)
-  {
-    const glm::dvec3 point = VectorOf(*this->PointAt(place));
-    return SightLine{ point - through, point + through };
-  };
-  return { this->size(),
-    [this](const std::array<double, 3>& point) { return std::optional(this->PlaceOf(point)); },
-    sightLineAt, axes.right, NumbersOf(-VectorOf(axes.down)), NumbersOf(-through) };
-}
-
-std::optional<glm::dvec3> SliceView::Through() const
-{
-  return VectorOf(this->Axes().through);
-}
-
-// True for objects that reach into the slab, or within half a voxel of a single slice.
-bool SliceView::Shows(const std::array<double, 3>& from, const std::array<double, 3>& to) const
-{
-  const double* const spacing = this->model->CurrentStudy()->volume.image->GetSpacing();
-  const double reachMm = 0.5 *
-    std::max(this->model->CurrentScene().slices.slabMm, *std::max_element(spacing, spacing + 3));
-  const glm::dvec3 through = VectorOf(this->Axes().through);
-  const auto depth = [&](const std::array<double, 3>& point)
-  { return glm::dot(VectorOf(point) - VectorOf(this->Crosshair()), through); };
-  const auto [first, last] = std::minmax({ depth(from), depth(to) });
-  return first <= reachMm && last >= -reachMm;
-}
-
-std::optional<std::array<double, 3>> SliceView::PointAt(const QPointF& place) const
-{
-  return this->Placement().PointAt(place);
-}
-
-QPointF SliceView::PlaceOf(const std::array<double, 3>& pointMm) const
-{
-  return this->Placement().PlaceOf(pointMm);
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event)
@@ -346,54 +308,6 @@ void SliceView::Scroll(double slices)
   this->SetCrosshair(
     NumbersOf(VectorOf(this->Crosshair()) + slices * stepMm * VectorOf(this->Axes().through)),
     SceneModel::NoGesture);
-}
-
-SliceRequest SliceView::Request() const
-{
-  const SlicePlacement placement = this->Placement();
-  const SliceGrays grays = this->Grays();
-  const SliceSettings& slices = this->model->CurrentScene().slices;
-  return { this->plane, placement.MiddleMm(), placement.MmPerPixel(), this->width(), this->height(),
-    grays.windowLevel[0], grays.windowLevel[1], slices.slabMm, slices.slabBlend, grays.inverted,
-    slices.turn };
-}
-
-SlicePlacement SliceView::Placement() const
-{
-  return { this->model->CurrentStudy()->volume.image, this->Axes(), this->Crosshair(), this->size(),
-    this->zoom };
-}
-
-SliceAxes SliceView::Axes() const
-{
-  return AxesOf(this->plane, this->model->CurrentScene().slices.turn);
-}
-
-CrosshairArms SliceView::Arms() const
-{
-  return { this->plane, this->model->CurrentScene().slices.turn, this->Placement(),
-    this->Crosshair(), this->size() };
-}
-
-std::array<double, 3> SliceView::Crosshair() const
-{
-  return this->model->CurrentScene().slices.crosshairMm.value_or(
-    MiddleOf(this->model->CurrentStudy()->volume.image));
-}
-
-SliceGrays SliceView::Grays() const
-{
-  const auto study = this->model->CurrentStudy();
-  SliceGrays grays = SuggestedGrays(study->volume, study->statistics);
-  grays.windowLevel = this->model->CurrentScene().slices.windowLevel.value_or(grays.windowLevel);
-  return grays;
-}
-
-void SliceView::SetCrosshair(const std::array<double, 3>& pointMm, int ofGesture)
-{
-  this->model->Edit(
-    ScenePart::Slices, tr("move the crosshair"),
-    [&](Scene& scene) { scene.slices.crosshairMm = pointMm; }, ofGesture);
 }
 
 }

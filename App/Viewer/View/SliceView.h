@@ -63,7 +63,8 @@ protected:
 
 private:
   std::optional<glm::dvec3> Through() const override;
-  bool Shows(const std::array<double, 3>& from, const std::array<double, 3>& to) const override;
+  bool Shows(const std::vector<glm::dvec3>& points) const override;
+  void AskForWords(const QPointF& place, const std::function<void(const QString&)>& take) override;
   void Update(ScenePart part);
   void DrawMeasuresOfSlice(QPainter& painter) const;
   SliceRequest Request() const;

@@ -101,7 +101,7 @@ void SliceView::DrawMeasuresOfSlice(QPainter& painter) const
   DrawMeasures(painter,
     { this->model->CurrentScene(), this->texts, this->model->CurrentStudy()->volume.image },
     this->Frame(),
-    { [this](const auto& from, const auto& to) { return this->Shows(from, to); },
+    { [this](const auto& points) { return this->Shows(points); },
       [](const auto&) { return false; } });
   this->measure.Paint(painter);
 }

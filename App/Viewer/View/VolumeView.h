@@ -56,6 +56,7 @@ public:
   vtkSmartPointer<vtkImageData> FloatPicture();
 
   std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
+  void AskForWords(const QPointF& place, const std::function<void(const QString&)>& take) override;
 
   /// Sets the action of the left button.
   void SetTool(LeftButton button);

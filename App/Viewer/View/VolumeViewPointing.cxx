@@ -5,6 +5,7 @@
 #include "Scene/ScenePicking.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
+#include "Viewer/View/WordsEditor.h"
 
 #include <QMouseEvent>
 
@@ -16,6 +17,11 @@ std::optional<std::array<double, 3>> VolumeView::PointAt(const QPointF& place) c
   const SightLine sight = this->Frame().sightLineAt(place);
   return PointSeen(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
     NumbersOf(sight.nearest), NumbersOf(sight.farthest), this->pipeline->Mask());
+}
+
+void VolumeView::AskForWords(const QPointF& place, const std::function<void(const QString&)>& take)
+{
+  AskForWordsOver(this, place, take);
 }
 
 void VolumeView::Point(const QPointF& place)

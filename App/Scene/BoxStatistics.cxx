@@ -1,6 +1,4 @@
-#include "Scene/Measures.h"
-
-#include "Scene/WorldVector.h"
+#include "Scene/BoxStatistics.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
@@ -8,8 +6,6 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_reduce.h>
 
@@ -24,11 +20,12 @@ namespace
 
 // First and last voxel along each axis, as in the extents of vtkImageData. An empty range has its
 // last voxel before the first.
-std::array<int, 6> VoxelsIn(const MeasuredBox& box, vtkImageData* image)
+std::array<int, 6> VoxelsIn(
+  const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm, vtkImageData* image)
 {
   double corners[2][3];
-  image->TransformPhysicalPointToContinuousIndex(box.fromMm.data(), corners[0]);
-  image->TransformPhysicalPointToContinuousIndex(box.toMm.data(), corners[1]);
+  image->TransformPhysicalPointToContinuousIndex(fromMm.data(), corners[0]);
+  image->TransformPhysicalPointToContinuousIndex(toMm.data(), corners[1]);
   std::array<int, 6> voxels;
   const int* const extent = image->GetExtent();
   for (int axis = 0; axis < 3; ++axis)
@@ -97,22 +94,10 @@ ValueSums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
 
 }
 
-double LengthMm(const Distance& distance)
+RegionStatistics StatisticsOfBox(
+  const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm, vtkImageData* image)
 {
-  return glm::distance(VectorOf(distance.fromMm), VectorOf(distance.toMm));
-}
-
-double AngleDegrees(const Angle& angle)
-{
-  const glm::dvec3 first = VectorOf(angle.fromMm) - VectorOf(angle.vertexMm);
-  const glm::dvec3 second = VectorOf(angle.toMm) - VectorOf(angle.vertexMm);
-  // The arctangent stays exact for nearly parallel arms, unlike the arc cosine.
-  return glm::degrees(std::atan2(glm::length(glm::cross(first, second)), glm::dot(first, second)));
-}
-
-RegionStatistics StatisticsOf(const MeasuredBox& box, vtkImageData* image)
-{
-  const std::array<int, 6> voxels = VoxelsIn(box, image);
+  const std::array<int, 6> voxels = VoxelsIn(fromMm, toMm, image);
   if (voxels[1] < voxels[0] || voxels[3] < voxels[2] || voxels[5] < voxels[4])
   {
     return {};

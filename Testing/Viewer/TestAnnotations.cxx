@@ -1,0 +1,197 @@
+// Regions, arrows and curves drawn in slices by the mouse.
+
+#include "Scene/MeasureKinds.h"
+#include "Scene/WorldVector.h"
+#include "SmallStudy.h"
+#include "Viewer/View/SliceView.h"
+
+#include <QApplication>
+#include <QLineEdit>
+#include <QTest>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace varimarch;
+
+namespace
+{
+
+class Annotations : public testing::Test
+{
+protected:
+  Annotations()
+  {
+    this->model.Open(ProceduralSource(), SmallStudy());
+    for (SliceView* const view : { &this->axial, &this->coronal })
+    {
+      view->resize(200, 160);
+      view->show();
+    }
+  }
+
+  // Presses at the first place, moves to the others, and releases at the last.
+  static void DragAlong(QWidget& view, const std::vector<QPoint>& places)
+  {
+    QTest::mousePress(&view, Qt::LeftButton, {}, places.front());
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      QMouseEvent move(QEvent::MouseMove, places[i], Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, places.back());
+  }
+
+  const std::vector<Measure>& All() const { return this->model.CurrentScene().measures; }
+  MeasureValues Values() const
+  {
+    return ValuesOf(this->All().at(0), this->model.CurrentStudy()->volume.image);
+  }
+  double MmBetween(const QPoint& a, const QPoint& b) const
+  {
+    return glm::distance(VectorOf(*this->axial.PointAt(a)), VectorOf(*this->axial.PointAt(b)));
+  }
+
+  SceneModel model;
+  SliceView axial{ &this->model, SlicePlane::Axial };
+  SliceView coronal{ &this->model, SlicePlane::Coronal };
+};
+
+}
+
+TEST_F(Annotations, AnEllipseTouchesTheSidesOfTheDraggedRectangle)
+{
+  this->axial.SetTool(LeftButton::Ellipse);
+  DragAlong(this->axial, { { 60, 50 }, { 100, 60 }, { 120, 90 } });
+  ASSERT_EQ(this->All().size(), 1);
+  EXPECT_EQ(this->model.History()->count(), 1);
+  const double a = 0.5 * this->MmBetween({ 60, 50 }, { 120, 50 });
+  const double b = 0.5 * this->MmBetween({ 60, 50 }, { 60, 90 });
+  EXPECT_NEAR(*this->Values().areaMm2, M_PI * a * b, 1e-6);
+  EXPECT_GT(this->Values().statistics->voxels, 3);
+  // Its middle moves it as a whole.
+  const Measure before = this->All()[0];
+  DragAlong(this->axial, { { 90, 70 }, { 95, 80 } });
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(this->axial.PlaceOf(this->All()[0].pointsMm[i]).x(),
+      this->axial.PlaceOf(before.pointsMm[i]).x() + 5.0, 1e-6);
+  }
+  // An end of a half-diameter moves alone.
+  DragAlong(this->axial, { { 125, 80 }, { 135, 80 } });
+  EXPECT_NEAR(*this->Values().areaMm2, M_PI * a * b * 40.0 / 30.0, 1e-6);
+}
+
+TEST_F(Annotations, AFreehandRegionIsTheAreaWithinItsOutline)
+{
+  this->axial.SetTool(LeftButton::Freehand);
+  DragAlong(this->axial, { { 60, 50 }, { 120, 50 }, { 120, 90 }, { 60, 90 } });
+  ASSERT_EQ(this->All().size(), 1);
+  const double area =
+    this->MmBetween({ 60, 50 }, { 120, 50 }) * this->MmBetween({ 60, 50 }, { 60, 90 });
+  EXPECT_NEAR(*this->Values().areaMm2, area, 1e-6);
+  this->model.History()->undo();
+  EXPECT_TRUE(this->All().empty());
+  DragAlong(this->axial, { { 60, 50 }, { 60, 50 } });
+  EXPECT_TRUE(this->All().empty()) << "a click draws no region";
+}
+
+TEST_F(Annotations, AnUndoDuringADragTakesTheMeasurementAway)
+{
+  this->axial.SetTool(LeftButton::Distance);
+  QTest::mousePress(&this->axial, Qt::LeftButton, {}, { 60, 50 });
+  this->model.History()->undo();
+  QMouseEvent move(QEvent::MouseMove, QPointF(90, 60), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(&this->axial, &move);
+  QTest::mouseRelease(&this->axial, Qt::LeftButton, {}, { 90, 60 });
+  EXPECT_TRUE(this->All().empty());
+}
+
+TEST_F(Annotations, ARegionIsSeenInItsSliceOnly)
+{
+  this->axial.setFocus(); // which a click would give it
+  const QImage empty = this->axial.grab().toImage();
+  this->axial.SetTool(LeftButton::Ellipse);
+  DragAlong(this->axial, { { 60, 50 }, { 120, 90 } });
+  EXPECT_NE(this->axial.grab().toImage(), empty);
+  this->model.Edit(
+    ScenePart::Measures, "hide", [](Scene& scene) { scene.measures[0].visible = false; });
+  EXPECT_EQ(this->axial.grab().toImage(), empty);
+  this->model.History()->undo();
+  const auto at = [this](double z)
+  {
+    auto crosshair = VectorOf(*this->axial.PointAt({ 100, 80 }));
+    crosshair.z += z;
+    this->model.Edit(ScenePart::Slices, "go",
+      [&](Scene& scene) { scene.slices.crosshairMm = NumbersOf(crosshair); });
+    return this->axial.grab().toImage();
+  };
+  const QImage here = at(0.0);
+  const QImage there = at(60.0);
+  this->model.Edit(ScenePart::Measures, "remove", [](Scene& scene) { scene.measures.clear(); });
+  EXPECT_EQ(this->axial.grab().toImage(), there);
+  EXPECT_NE(at(-60.0), here);
+}
+
+TEST_F(Annotations, AreInAViewThatIsMadeLater)
+{
+  this->axial.SetTool(LeftButton::Ellipse);
+  DragAlong(this->axial, { { 60, 50 }, { 120, 90 } });
+  const auto picture = [this]
+  {
+    SliceView later(&this->model, SlicePlane::Axial); // as for a report
+    later.resize(200, 160);
+    return later.grab().toImage();
+  };
+  const QImage withEllipse = picture();
+  this->model.History()->undo();
+  EXPECT_NE(picture(), withEllipse);
+}
+
+TEST_F(Annotations, AnArrowHasTheWordsThatAreTypedIntoTheView)
+{
+  this->axial.SetTool(LeftButton::Arrow);
+  DragAlong(this->axial, { { 60, 50 }, { 120, 90 } });
+  auto* line = this->axial.findChild<QLineEdit*>();
+  ASSERT_TRUE(line);
+  QTest::keyClicks(line, "node 3");
+  QTest::keyClick(line, Qt::Key_Return);
+  ASSERT_EQ(this->All().size(), 1);
+  EXPECT_EQ(this->All()[0].name, "node 3");
+  EXPECT_EQ(this->model.History()->count(), 1);
+  QTest::qWait(1); // the line is deleted
+  EXPECT_FALSE(this->axial.findChild<QLineEdit*>());
+
+  // A text that is given up is not made.
+  this->axial.SetTool(LeftButton::Text);
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 40, 40 });
+  line = this->axial.findChild<QLineEdit*>();
+  ASSERT_TRUE(line);
+  QTest::keyClicks(line, "no");
+  QTest::keyClick(line, Qt::Key_Return, Qt::NoModifier);
+  ASSERT_EQ(this->All().size(), 2);
+  QTest::qWait(1);
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 150, 120 });
+  line = this->axial.findChild<QLineEdit*>();
+  ASSERT_TRUE(line);
+  QTest::keyClick(line, Qt::Key_Return);
+  EXPECT_EQ(this->All().size(), 2);
+}
+
+TEST_F(Annotations, ACurveGoesOnInAnotherSlice)
+{
+  for (SliceView* const view : { &this->axial, &this->coronal })
+  {
+    view->SetTool(LeftButton::Curve);
+  }
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 60, 50 });
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 100, 60 });
+  QTest::mouseClick(&this->coronal, Qt::LeftButton, {}, { 150, 60 });
+  ASSERT_EQ(this->All().size(), 1);
+  EXPECT_EQ(this->All()[0].pointsMm.size(), 3);
+  EXPECT_EQ(this->All()[0].pointsMm[2], *this->coronal.PointAt({ 150, 60 }));
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 60, 50 });
+  EXPECT_EQ(this->All()[0].pointsMm.size(), 3) << "a click on a point adds none";
+}
