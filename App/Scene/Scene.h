@@ -208,6 +208,8 @@ struct SliceSettings
   SliceFusion fusion = SliceFusion::Blend;
   double fusionOpacity = 0.5; ///< part of the volumes over the first one in a blend, [0, 1]
   SliceTurn turn = {};
+  /// Turns the lines across a curve about it, in the view that straightens the volume along it.
+  double curveTurnDegrees = 0.0;
 };
 
 /// A rigid motion of a volume away from its patient coordinates: it is turned about the middle of

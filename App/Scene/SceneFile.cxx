@@ -31,8 +31,8 @@ constexpr double MostTurnDegrees = 180.0;
 
 SliceSettings SlicesFromJson(const JsonCursor& json)
 {
-  json.RequireObject(
-    { "crosshair", "turn", "windowLevel", "slab", "slabBlend", "fusion", "fusionOpacity" });
+  json.RequireObject({ "crosshair", "turn", "windowLevel", "slab", "slabBlend", "fusion",
+    "fusionOpacity", "curveTurn" });
   SliceSettings slices;
   if (const auto crosshair = json.Find("crosshair"))
   {
@@ -61,6 +61,10 @@ SliceSettings SlicesFromJson(const JsonCursor& json)
   if (const auto opacity = json.Find("fusionOpacity"))
   {
     slices.fusionOpacity = opacity->Number(UnitInterval);
+  }
+  if (const auto turn = json.Find("curveTurn"))
+  {
+    slices.curveTurnDegrees = turn->Number({ -MostTurnDegrees, MostTurnDegrees });
   }
   return slices;
 }
@@ -141,6 +145,10 @@ nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
   if (slices.windowLevel)
   {
     json["windowLevel"] = *slices.windowLevel;
+  }
+  if (slices.curveTurnDegrees != 0.0)
+  {
+    json["curveTurn"] = slices.curveTurnDegrees;
   }
   return json;
 }

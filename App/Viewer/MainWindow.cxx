@@ -15,6 +15,7 @@
 #include "Viewer/Panels/SlabBar.h"
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/CurvedView.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/ViewLayout.h"
 #include "Viewer/View/VolumeView.h"
@@ -259,10 +260,38 @@ void MainWindow::MakePanels()
   dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
   // Handles are visible only while the panel of the cuts is open.
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
+  this->MakeCurvedView();
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   this->ArrangePanels();
   this->MakePanelMenu();
   NamePartsOfControls(this);
+}
+
+// The view along a curve lies below the others. It opens with the first curve.
+void MainWindow::MakeCurvedView()
+{
+  auto* const curved = new CurvedView(&this->model);
+  connect(curved, &CurvedView::Pointed, this,
+    [this](const QString& text) { this->statusBar()->showMessage(text); });
+  this->curvedDock = new QDockWidget(tr("Along the curve"));
+  this->curvedDock->setObjectName("curve");
+  this->curvedDock->setWidget(curved);
+  this->addDockWidget(Qt::BottomDockWidgetArea, this->curvedDock);
+  this->curvedDock->hide();
+  connect(&this->model, &SceneModel::Changed, this,
+    [this, curved, hadCurve = false](ScenePart part) mutable
+    {
+      if (part != ScenePart::Volume && part != ScenePart::Measures)
+      {
+        return;
+      }
+      const bool hasCurve = curved->Path();
+      if (hasCurve && !hadCurve)
+      {
+        this->curvedDock->show();
+      }
+      hadCurve = hasCurve;
+    });
 }
 
 // Stacks all panels except the last, which lies below them. Each is stacked at once, since the
@@ -296,6 +325,7 @@ void MainWindow::MakePanelMenu()
   {
     menu->addAction(panel->toggleViewAction());
   }
+  menu->addAction(this->curvedDock->toggleViewAction());
   auto* const toolBar = this->findChild<QToolBar*>();
   menu->addAction(toolBar->toggleViewAction());
   menu->addSeparator();

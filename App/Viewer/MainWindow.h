@@ -101,6 +101,7 @@ private:
   void MakeHelpMenu();
   void MakeLanguageMenu(QMenu* menu);
   void MakePanels();
+  void MakeCurvedView();
   void ArrangePanels();
   void MakePanelMenu();
   void MakeStatusBar();
@@ -182,6 +183,7 @@ private:
   QMenu* recentMenu;
   ViewMenu* viewMenu;
   std::vector<QDockWidget*> panels;
+  QDockWidget* curvedDock; ///< holds the view along a curve
   QProgressBar* progress;
   QPushButton* cancel;
 };

@@ -78,7 +78,8 @@ void MainWindow::MakeAnnotationActions(QMenu* menu, QActionGroup* group)
       tr("Drag across a slice: area, mean, deviation, smallest and largest value") },
     { LeftButton::Freehand, tr("&Freehand region"), "Shift+O",
       tr("Draw around a region of a slice: area, mean, deviation, smallest and largest value") },
-    { LeftButton::Curve, tr("C&urve"), "U", tr("Click along a vessel or the jaw: its length") },
+    { LeftButton::Curve, tr("C&urve"), "U",
+      tr("Click along a vessel or the jaw: its length, and the volume straightened along it") },
     { LeftButton::Arrow, tr("&Arrow"), "Shift+M", tr("Drag to the thing to show, then type") },
     { LeftButton::Text, tr("&Text"), "Shift+T", tr("Click, then type") },
   };

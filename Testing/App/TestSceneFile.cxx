@@ -66,7 +66,7 @@ Scene UnusualScene()
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
     { { scene.camera, { { 0.0, 0.5 }, { 1.0 / 3.0, 0.5 }, { 0.25, -0.5 } }, true } }, true, 12.5 };
   scene.slices = { { { 7.0, 8.0, 9.0 } }, { { 400.0, 40.0 } }, 5.0, SlabBlend::Mean,
-    SliceFusion::Checkerboard, 0.25, { 10.0, -20.0, 30.0 } };
+    SliceFusion::Checkerboard, 0.25, { 10.0, -20.0, 30.0 }, 40.0 };
   scene.labels = { "/data/organs.seg.nrrd", "1.2.840.2",
     { { 7, "liver", { 0.5, 0.25, 0.125 }, false, 0.75 }, { -2, "", { 0.0, 1.0, 0.5 } } } };
   scene.overlays = UnusualOverlays(scene.look);
@@ -116,6 +116,7 @@ TEST(SceneFile, ReadsBackAsWritten)
   EXPECT_EQ(back.slices.windowLevel, scene.slices.windowLevel);
   EXPECT_EQ(back.slices.turn, scene.slices.turn);
   EXPECT_EQ(back.slices.slabMm, 5.0);
+  EXPECT_EQ(back.slices.curveTurnDegrees, 40.0);
   EXPECT_EQ(back.render.sampleDistanceMm, 0.125);
   EXPECT_EQ(back.render.integration, Integration::Simpson);
   EXPECT_EQ(back.render.errorTolerance, 0.25);

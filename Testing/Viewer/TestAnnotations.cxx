@@ -1,13 +1,16 @@
-// Regions, arrows and curves drawn in slices by the mouse.
+// Regions, arrows and curves drawn in slices by the mouse, and the view along a curve.
 
 #include "Scene/MeasureKinds.h"
 #include "Scene/WorldVector.h"
 #include "SmallStudy.h"
+#include "Viewer/View/CurvedView.h"
 #include "Viewer/View/SliceView.h"
 
 #include <QApplication>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -194,4 +197,84 @@ TEST_F(Annotations, ACurveGoesOnInAnotherSlice)
   EXPECT_EQ(this->All()[0].pointsMm[2], *this->coronal.PointAt({ 150, 60 }));
   QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 60, 50 });
   EXPECT_EQ(this->All()[0].pointsMm.size(), 3) << "a click on a point adds none";
+}
+
+namespace
+{
+
+class Curved : public Annotations
+{
+protected:
+  Curved()
+  {
+    this->view.resize(400, 200);
+    this->view.show();
+  }
+
+  void AddCurve()
+  {
+    this->model.Edit(ScenePart::Measures, "curve",
+      [](Scene& scene)
+      {
+        scene.measures.push_back(
+          { MeasureKind::Curve, { { -40, 0, 0 }, { 0, 10, 0 }, { 40, 0, 0 } } });
+      });
+  }
+
+  CurvedView view{ &this->model };
+};
+
+}
+
+TEST_F(Curved, ShowsTheLastVisibleCurve)
+{
+  EXPECT_FALSE(this->view.Path());
+  this->view.grab(); // the hint
+  this->AddCurve();
+  ASSERT_TRUE(this->view.Path());
+  const QImage picture = this->view.grab().toImage();
+  int bright = 0;
+  for (int x = 0; x < picture.width(); ++x)
+  {
+    bright += qGray(picture.pixel(x, 60)) > 20 ? 1 : 0;
+  }
+  EXPECT_GT(bright, 100) << "the body is seen";
+  this->model.Edit(
+    ScenePart::Measures, "hide", [](Scene& scene) { scene.measures[0].visible = false; });
+  EXPECT_FALSE(this->view.Path());
+  this->model.History()->undo();
+  EXPECT_TRUE(this->view.Path());
+}
+
+TEST_F(Curved, PutsTheCrosshairOnTheCurveAtItsDistance)
+{
+  this->AddCurve();
+  QTest::mouseClick(&this->view, Qt::LeftButton, {}, { 100, 100 });
+  const CurvePath& path = *this->view.Path();
+  const glm::dvec3 crosshair = VectorOf(*this->model.CurrentScene().slices.crosshairMm);
+  const glm::dvec3 expected = path.At(0.25 * path.LengthMm(), 0.0).pointMm;
+  EXPECT_NEAR(glm::distance(crosshair, expected), 0.0, 0.01);
+  QSignalSpy pointed(&this->view, &CurvedView::Pointed);
+  QMouseEvent move(QEvent::MouseMove, QPointF(200, 100), Qt::NoButton, Qt::NoButton, {});
+  QApplication::sendEvent(&this->view, &move);
+  const QString half = QString::number(0.5 * path.LengthMm(), 'f', 1);
+  EXPECT_TRUE(pointed.last().first().toString().startsWith(half + " mm along the curve"))
+    << pointed.last().first().toString().toStdString();
+}
+
+TEST_F(Curved, IsTurnedByTheWheelAndTheKeys)
+{
+  this->AddCurve();
+  const QImage before = this->view.grab().toImage();
+  QWheelEvent wheel({ 100, 100 }, this->view.mapToGlobal({ 100, 100 }), {}, { 0, 240 }, {}, {},
+    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&this->view, &wheel);
+  EXPECT_EQ(this->model.CurrentScene().slices.curveTurnDegrees, 10.0);
+  QTest::keyClick(&this->view, Qt::Key_Down);
+  EXPECT_EQ(this->model.CurrentScene().slices.curveTurnDegrees, 5.0);
+  EXPECT_NE(this->view.grab().toImage(), before);
+  this->model.History()->undo();
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.CurrentScene().slices.curveTurnDegrees, 0.0);
+  EXPECT_EQ(this->view.grab().toImage(), before);
 }

@@ -1351,6 +1351,37 @@ Masken nicht unterstützt</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::CurvedView</name>
+    <message>
+        <source>Volume along the curve</source>
+        <translation>Volumen entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Choose Annotate, Curve, and click along a vessel or the jaw in the slices.</source>
+        <translation>Wählen Sie Beschriften, Kurve, und klicken Sie in den Schichten an einem Gefäß oder dem Kiefer entlang.</translation>
+    </message>
+    <message>
+        <source>%1 mm, turned by %2°</source>
+        <translation>%1 mm, gedreht um %2°</translation>
+    </message>
+    <message>
+        <source>, slab %1 mm</source>
+        <translation>, Dicke %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm along the curve; %2</source>
+        <translation>%1 mm entlang der Kurve; %2</translation>
+    </message>
+    <message>
+        <source>move the crosshair</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>turn the cut about the curve</source>
+        <translation>Schnitt um die Kurve drehen</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::CutsPanel</name>
     <message>
         <source>side %1 cut away</source>

@@ -1351,6 +1351,37 @@ no admite máscaras</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::CurvedView</name>
+    <message>
+        <source>Volume along the curve</source>
+        <translation>Volumen a lo largo de la curva</translation>
+    </message>
+    <message>
+        <source>Choose Annotate, Curve, and click along a vessel or the jaw in the slices.</source>
+        <translation>Elija Anotar, Curva, y haga clic a lo largo de un vaso o de la mandíbula en los cortes.</translation>
+    </message>
+    <message>
+        <source>%1 mm, turned by %2°</source>
+        <translation>%1 mm, girado %2°</translation>
+    </message>
+    <message>
+        <source>, slab %1 mm</source>
+        <translation>, grosor %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm along the curve; %2</source>
+        <translation>%1 mm a lo largo de la curva; %2</translation>
+    </message>
+    <message>
+        <source>move the crosshair</source>
+        <translation>mover la cruz</translation>
+    </message>
+    <message>
+        <source>turn the cut about the curve</source>
+        <translation>girar el corte en torno a la curva</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::CutsPanel</name>
     <message>
         <source>side %1 cut away</source>

@@ -1,0 +1,222 @@
+#include "Viewer/View/CurvedView.h"
+
+#include "Scene/SceneCuts.h"
+#include "Scene/SlicePicture.h"
+#include "Scene/WorldVector.h"
+#include "Viewer/Model/MeasureTexts.h"
+#include "Viewer/Model/NumberText.h"
+#include "Viewer/View/MeasureOverlay.h"
+#include "Viewer/View/SliceCorners.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace varimarch
+{
+
+namespace
+{
+
+const QColor PlaceColor(90, 200, 250, 170);
+constexpr double DegreesPerNotch = 5.0;
+
+// The last visible curve of a scene, if it has a length.
+std::optional<CurvePath> ShownCurve(const Scene& scene)
+{
+  const auto shown = std::find_if(scene.measures.rbegin(), scene.measures.rend(),
+    [](const Measure& measure) { return measure.kind == MeasureKind::Curve && measure.visible; });
+  if (shown == scene.measures.rend())
+  {
+    return std::nullopt;
+  }
+  CurvePath path(shown->pointsMm);
+  return path.LengthMm() > 0.0 ? std::optional(std::move(path)) : std::nullopt;
+}
+
+}
+
+CurvedView::CurvedView(SceneModel* model, QWidget* parent)
+  : QWidget(parent)
+  , model(model)
+{
+  this->setMinimumSize(200, 120);
+  this->setAttribute(Qt::WA_OpaquePaintEvent);
+  this->setCursor(Qt::CrossCursor);
+  this->setMouseTracking(true);
+  this->setFocusPolicy(Qt::StrongFocus);
+  this->setAccessibleName(tr("Volume along the curve"));
+  connect(model, &SceneModel::Changed, this, &CurvedView::Update);
+  if (model->CurrentStudy())
+  {
+    this->Update(ScenePart::Volume);
+  }
+}
+
+void CurvedView::Update(ScenePart part)
+{
+  if (part == ScenePart::Volume || part == ScenePart::Measures)
+  {
+    this->path = ShownCurve(this->model->CurrentScene());
+    this->update();
+  }
+  if (part == ScenePart::Slices)
+  {
+    this->update();
+  }
+}
+
+// The curve fills the view from left to right.
+CurvedRequest CurvedView::Request() const
+{
+  const Scene& scene = this->model->CurrentScene();
+  const Study& study = *this->model->CurrentStudy();
+  const SliceGrays grays = SuggestedGrays(study.volume, study.statistics);
+  const auto [window, level] = scene.slices.windowLevel.value_or(grays.windowLevel);
+  return { this->path->LengthMm() / std::max(this->width(), 1), this->width(), this->height(),
+    scene.slices.curveTurnDegrees,
+    { window, level, scene.slices.slabMm, scene.slices.slabBlend, grays.inverted } };
+}
+
+std::optional<glm::dvec3> CurvedView::PointAt(const QPointF& place) const
+{
+  const bool isOnCurve = this->path && place.x() >= 0.0 && place.x() <= this->width();
+  return isOnCurve
+    ? std::optional(PointInCurved(*this->path, this->Request(), place.x(), place.y()))
+    : std::nullopt;
+}
+
+void CurvedView::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.fillRect(this->rect(), Qt::black);
+  if (!this->path)
+  {
+    painter.setPen(QColor(160, 160, 160));
+    painter.drawText(this->rect().adjusted(12, 8, -12, -8), Qt::AlignCenter | Qt::TextWordWrap,
+      tr("Choose Annotate, Curve, and click along a vessel or the jaw in the slices."));
+    return;
+  }
+  this->DrawVoxels(painter);
+  painter.setRenderHint(QPainter::Antialiasing);
+  this->DrawCrosshair(painter);
+  this->DrawRuler(painter);
+}
+
+void CurvedView::DrawVoxels(QPainter& painter) const
+{
+  // Render at the resolution of the screen.
+  CurvedRequest request = this->Request();
+  const double ratio = this->devicePixelRatioF();
+  request.width = std::max(int(request.width * ratio), 1);
+  request.height = std::max(int(request.height * ratio), 1);
+  request.mmPerPixel /= ratio;
+  const std::vector<std::uint8_t> grays =
+    CurvedPicture(this->model->CurrentStudy()->volume.image, *this->path, request);
+  painter.drawImage(this->rect(),
+    QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
+}
+
+// Ticks at round distances along the curve, and the turn of the cut.
+void CurvedView::DrawRuler(QPainter& painter) const
+{
+  constexpr double LargestPart = 0.2; // part of the curve's length between two ticks
+  const double mmPerPixel = this->Request().mmPerPixel;
+  const double stepMm = ScaleBarMm(LargestPart * this->path->LengthMm());
+  const double bottom = this->height() - 3.0;
+  for (int tick = 0; tick * stepMm <= this->path->LengthMm(); ++tick)
+  {
+    const double x = tick * stepMm / mmPerPixel;
+    painter.setPen(QPen(Qt::white, 1.0));
+    painter.drawLine(QPointF(x, bottom), QPointF(x, bottom - 6.0));
+    DrawLegibly(painter, QRectF(x + 3.0, bottom - 18.0, 80.0, 16.0), Qt::AlignLeft | Qt::AlignTop,
+      NumberText(tick * stepMm, stepMm < 1.0 ? 2 : 0));
+  }
+  const SliceSettings& slices = this->model->CurrentScene().slices;
+  QString text =
+    tr("%1 mm, turned by %2°")
+      .arg(NumberText(this->path->LengthMm(), 1), NumberText(slices.curveTurnDegrees, 0));
+  if (slices.slabMm > 0.0)
+  {
+    text += tr(", slab %1 mm").arg(NumberText(slices.slabMm, 1));
+  }
+  DrawLegibly(painter, QRectF(this->rect()).adjusted(6.0, 4.0, -6.0, -4.0),
+    Qt::AlignLeft | Qt::AlignTop, text);
+}
+
+// The place on the curve that is nearest to the crosshair.
+void CurvedView::DrawCrosshair(QPainter& painter) const
+{
+  const auto crosshair = this->model->CurrentScene().slices.crosshairMm.value_or(
+    varimarch::MiddleOf(this->model->CurrentStudy()->volume.image));
+  const double x = this->path->NearestMm(VectorOf(crosshair)) / this->Request().mmPerPixel;
+  painter.setPen(PlaceColor);
+  painter.drawLine(QPointF(x, 0.0), QPointF(x, this->height()));
+}
+
+void CurvedView::mousePressEvent(QMouseEvent* event)
+{
+  if (event->button() == Qt::LeftButton)
+  {
+    this->gesture = NewGesture();
+    this->MoveCrosshair(event->localPos());
+  }
+}
+
+void CurvedView::mouseMoveEvent(QMouseEvent* event)
+{
+  if (event->buttons() & Qt::LeftButton)
+  {
+    this->MoveCrosshair(event->localPos());
+  }
+  if (const std::optional<glm::dvec3> point = this->PointAt(event->localPos()))
+  {
+    const double alongMm = this->Request().mmPerPixel * event->localPos().x();
+    emit this->Pointed(
+      tr("%1 mm along the curve; %2")
+        .arg(NumberText(alongMm, 1),
+          PointText(this->model->CurrentScene(), *this->model->CurrentStudy(), NumbersOf(*point))));
+  }
+}
+
+void CurvedView::MoveCrosshair(const QPointF& place)
+{
+  if (const std::optional<glm::dvec3> point = this->PointAt(place))
+  {
+    this->model->Edit(
+      ScenePart::Slices, tr("move the crosshair"),
+      [&](Scene& scene) { scene.slices.crosshairMm = NumbersOf(*point); }, this->gesture);
+  }
+}
+
+void CurvedView::wheelEvent(QWheelEvent* event)
+{
+  this->Turn(DegreesPerNotch * event->angleDelta().y() / 120.0);
+}
+
+void CurvedView::keyPressEvent(QKeyEvent* event)
+{
+  if (event->key() == Qt::Key_Up || event->key() == Qt::Key_Down)
+  {
+    this->Turn(event->key() == Qt::Key_Up ? DegreesPerNotch : -DegreesPerNotch);
+    return;
+  }
+  QWidget::keyPressEvent(event);
+}
+
+void CurvedView::Turn(double degrees)
+{
+  if (this->path)
+  {
+    const double turned =
+      std::remainder(this->model->CurrentScene().slices.curveTurnDegrees + degrees, 360.0);
+    this->model->Edit(ScenePart::Slices, tr("turn the cut about the curve"),
+      [turned](Scene& scene) { scene.slices.curveTurnDegrees = turned; });
+  }
+}
+
+}

@@ -1,0 +1,59 @@
+#ifndef Varimarch_Viewer_CurvedView_h
+#define Varimarch_Viewer_CurvedView_h
+
+#include "Scene/CurvedPicture.h"
+#include "Viewer/Model/SceneModel.h"
+
+#include <QPointF>
+#include <QWidget>
+
+#include <optional>
+
+namespace varimarch
+{
+
+/// The volume straightened along the last visible curve among the measurements: the curve runs from
+/// left to right through the middle, with a ruler of the distance along it. Window, level and slab
+/// are those of the slices. The left button moves the crosshair to the point that is clicked; the
+/// wheel, and the arrow keys up and down, turn the cut about the curve.
+class CurvedView : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit CurvedView(SceneModel* model, QWidget* parent = nullptr);
+
+  /// The curve that is shown; null without one.
+  const CurvePath* Path() const { return this->path ? &*this->path : nullptr; }
+
+  /// The point at a place, in world space [mm]. Empty beside the curve.
+  std::optional<glm::dvec3> PointAt(const QPointF& place) const;
+
+signals:
+  /// Describes the voxel under the pointer and its distance along the curve, for the status bar.
+  void Pointed(const QString& text);
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+private:
+  void Update(ScenePart part);
+  CurvedRequest Request() const;
+  void DrawVoxels(QPainter& painter) const;
+  void DrawRuler(QPainter& painter) const;
+  void DrawCrosshair(QPainter& painter) const;
+  void MoveCrosshair(const QPointF& place);
+  void Turn(double degrees);
+
+  SceneModel* model;
+  std::optional<CurvePath> path; ///< empty without a curve of some length
+  int gesture = SceneModel::NoGesture;
+};
+
+}
+
+#endif
