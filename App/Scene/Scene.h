@@ -4,7 +4,7 @@
 #include "Core/Look/TransferFunction.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Scene/SceneMeasures.h"
-#include "Scene/SliceAxes.h"
+#include "Scene/SceneSlices.h"
 #include "Scene/VolumeSource.h"
 
 #include <array>
@@ -181,36 +181,26 @@ inline bool NeedMask(const SceneCuts& cuts)
   return cuts.bodyOnly || cuts.faceDepthMm > 0.0 || !cuts.scissors.empty();
 }
 
-/// How the slices of a slab combine into one image.
-enum class SlabBlend
+/// A view that can be marked.
+enum class KeyView
 {
-  Maximum,
-  Minimum,
-  Mean,
+  Volume,
+  Axial,
+  Coronal,
+  Sagittal,
 };
 
-/// How slices show the volumes over the first one.
-enum class SliceFusion
+/// A view that the user has marked to be shown in reports.
+struct KeyImage
 {
-  Blend,        ///< mixed with the first volume
-  Checkerboard, ///< in every other square
+  KeyView view;
+  std::string name = {}; ///< may be empty
+  SliceSettings slices;  ///< as they were
+  Camera camera;
 };
 
-/// The viewer's slices through the volume, along the patient's axes or turned about the crosshair.
-struct SliceSettings
-{
-  std::optional<std::array<double, 3>>
-    crosshairMm; ///< world space, LPS; empty: the middle of the volume
-  std::optional<std::array<double, 2>>
-    windowLevel;       ///< units of the data; empty: of the file, otherwise of the histogram
-  double slabMm = 0.0; ///< >= 0; 0: a single slice
-  SlabBlend slabBlend = SlabBlend::Maximum;
-  SliceFusion fusion = SliceFusion::Blend;
-  double fusionOpacity = 0.5; ///< part of the volumes over the first one in a blend, [0, 1]
-  SliceTurn turn = {};
-  /// Turns the lines across a curve about it, in the view that straightens the volume along it.
-  double curveTurnDegrees = 0.0;
-};
+/// Far more than a report is read with.
+constexpr std::size_t MostKeyImages = 100;
 
 /// A rigid motion of a volume away from its patient coordinates: it is turned about the middle of
 /// its box, about x, then y, then z, and then moved. World space, LPS.
@@ -380,6 +370,7 @@ struct Scene
   SceneCuts cuts;
   SliceSettings slices;
   std::vector<Measure> measures;
+  std::vector<KeyImage> keyImages;
   std::optional<SceneLabels> labels;
   std::vector<OverlaidVolume> overlays; ///< from the lowest to the uppermost in slices
   RenderOptions render;

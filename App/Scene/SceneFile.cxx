@@ -2,6 +2,7 @@
 
 #include "Scene/CameraJson.h"
 #include "Scene/CutsJson.h"
+#include "Scene/KeyImagesJson.h"
 #include "Scene/LabelsJson.h"
 #include "Scene/LightsJson.h"
 #include "Scene/LookJson.h"
@@ -10,6 +11,7 @@
 #include "Scene/Presets.h"
 #include "Scene/RenderJson.h"
 #include "Scene/SceneLights.h"
+#include "Scene/SlicesJson.h"
 #include "Scene/VolumeJson.h"
 
 #include <nlohmann/json.hpp>
@@ -27,54 +29,12 @@ namespace
 // All relevant OpenGL versions guarantee 2D textures of at least this size.
 constexpr int LargestPictureSide = 16384;
 
-constexpr double MostTurnDegrees = 180.0;
-
-SliceSettings SlicesFromJson(const JsonCursor& json)
-{
-  json.RequireObject({ "crosshair", "turn", "windowLevel", "slab", "slabBlend", "fusion",
-    "fusionOpacity", "curveTurn" });
-  SliceSettings slices;
-  if (const auto crosshair = json.Find("crosshair"))
-  {
-    slices.crosshairMm = crosshair->Numbers<3>({});
-  }
-  if (const auto turn = json.Find("turn"))
-  {
-    slices.turn = turn->Numbers<3>({ -MostTurnDegrees, MostTurnDegrees });
-  }
-  if (const auto windowLevel = json.Find("windowLevel"))
-  {
-    slices.windowLevel = windowLevel->Numbers<2>({});
-  }
-  if (const auto slab = json.Find("slab"))
-  {
-    slices.slabMm = slab->Number({ 0.0 });
-  }
-  if (const auto blend = json.Find("slabBlend"))
-  {
-    slices.slabBlend = blend->Choice(SlabBlendNames());
-  }
-  if (const auto fusion = json.Find("fusion"))
-  {
-    slices.fusion = fusion->Choice(SliceFusionNames());
-  }
-  if (const auto opacity = json.Find("fusionOpacity"))
-  {
-    slices.fusionOpacity = opacity->Number(UnitInterval);
-  }
-  if (const auto turn = json.Find("curveTurn"))
-  {
-    slices.curveTurnDegrees = turn->Number({ -MostTurnDegrees, MostTurnDegrees });
-  }
-  return slices;
-}
-
 // Editors find the schema through "$schema"; it is ignored here.
 std::vector<std::string> KeysBesideVolume()
 {
   return { "$schema", "look", "lights", "shadows", "scattering", "occlusion", "camera", "cuts",
-    "slices", "measures", "distances", "angles", "boxes", "labels", "overlays", "render", "size",
-    "background" };
+    "slices", "measures", "keyImages", "distances", "angles", "boxes", "labels", "overlays",
+    "render", "size", "background" };
 }
 
 void ReadAllButVolume(const JsonCursor& json, Scene& scene)
@@ -95,6 +55,7 @@ void ReadAllButVolume(const JsonCursor& json, Scene& scene)
     scene.slices = SlicesFromJson(*slices);
   }
   scene.measures = MeasuresFromJson(json);
+  scene.keyImages = KeyImagesFromJson(json);
   if (const auto labels = json.Find("labels"))
   {
     scene.labels = LabelsFromJson(*labels);
@@ -128,31 +89,6 @@ Scene SceneFromJson(const JsonCursor& json)
   return scene;
 }
 
-nlohmann::ordered_json JsonFromSlices(const SliceSettings& slices)
-{
-  nlohmann::ordered_json json = { { "slab", slices.slabMm },
-    { "slabBlend", NameOf(SlabBlendNames(), slices.slabBlend) },
-    { "fusion", NameOf(SliceFusionNames(), slices.fusion) },
-    { "fusionOpacity", slices.fusionOpacity } };
-  if (slices.crosshairMm)
-  {
-    json["crosshair"] = *slices.crosshairMm;
-  }
-  if (slices.turn != SliceTurn())
-  {
-    json["turn"] = slices.turn;
-  }
-  if (slices.windowLevel)
-  {
-    json["windowLevel"] = *slices.windowLevel;
-  }
-  if (slices.curveTurnDegrees != 0.0)
-  {
-    json["curveTurn"] = slices.curveTurnDegrees;
-  }
-  return json;
-}
-
 }
 
 std::string SceneText(const Scene& scene)
@@ -165,6 +101,10 @@ std::string SceneText(const Scene& scene)
   json["cuts"] = JsonFromCuts(scene.cuts);
   json["slices"] = JsonFromSlices(scene.slices);
   json["measures"] = JsonFromMeasures(scene.measures);
+  if (!scene.keyImages.empty())
+  {
+    json["keyImages"] = JsonFromKeyImages(scene.keyImages);
+  }
   if (scene.labels)
   {
     json["labels"] = JsonFromLabels(*scene.labels);

@@ -146,6 +146,14 @@ const NameTable<MeasureKind>& MeasureKindNames()
   return names;
 }
 
+const NameTable<KeyView>& KeyViewNames()
+{
+  static const NameTable<KeyView> names = { { "volume", KeyView::Volume },
+    { "axial", KeyView::Axial }, { "coronal", KeyView::Coronal },
+    { "sagittal", KeyView::Sagittal } };
+  return names;
+}
+
 const NameTable<SliceColors>& SliceColorsNames()
 {
   static const NameTable<SliceColors> names = { { "gray", SliceColors::Gray },

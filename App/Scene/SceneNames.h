@@ -31,6 +31,7 @@ const NameTable<ProceduralKind>& ProceduralNames();
 const NameTable<SlabBlend>& SlabBlendNames();
 const NameTable<SliceFusion>& SliceFusionNames();
 const NameTable<MeasureKind>& MeasureKindNames();
+const NameTable<KeyView>& KeyViewNames();
 const NameTable<SliceColors>& SliceColorsNames();
 const NameTable<bool>& ProjectionNames(); ///< true: parallel
 const NameTable<bool>& ByteOrderNames();  ///< true: big-endian

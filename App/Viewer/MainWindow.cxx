@@ -7,6 +7,7 @@
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/FusionBar.h"
+#include "Viewer/Panels/KeyImagesBox.h"
 #include "Viewer/Panels/LightsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"
@@ -251,7 +252,7 @@ void MainWindow::MakePanels()
   QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
   auto* const measures = new MeasuresPanel(&this->model);
   connect(measures, &MeasuresPanel::Saved, this, &MainWindow::ShowSaved);
-  dockOf("measures", tr("Measurements"), measures);
+  dockOf("measures", tr("Measurements"), this->WithKeyImages(measures));
   auto* const volumes = new VolumesPanel(&this->model);
   connect(volumes, &VolumesPanel::AddWanted, this, &MainWindow::ChooseFurtherScan);
   connect(volumes, &VolumesPanel::RegistrationWanted, this, &MainWindow::Register);
@@ -265,6 +266,17 @@ void MainWindow::MakePanels()
   this->ArrangePanels();
   this->MakePanelMenu();
   NamePartsOfControls(this);
+}
+
+QWidget* MainWindow::WithKeyImages(QWidget* measures)
+{
+  auto* const both = new QWidget;
+  auto* const column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  this->keyImages = new KeyImagesBox(&this->model);
+  column->addWidget(measures, 3);
+  column->addWidget(this->keyImages, 1);
+  return both;
 }
 
 // The view along a curve lies below the others. It opens with the first curve.

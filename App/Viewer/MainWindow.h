@@ -24,6 +24,7 @@ namespace varimarch
 {
 
 class ComparisonView;
+class KeyImagesBox;
 class SegmentEditor;
 class PrivateFolder;
 class SliceView;
@@ -102,6 +103,8 @@ private:
   void MakeLanguageMenu(QMenu* menu);
   void MakePanels();
   void MakeCurvedView();
+  QWidget* WithKeyImages(QWidget* measures);
+  void MarkKeyImage();
   void ArrangePanels();
   void MakePanelMenu();
   void MakeStatusBar();
@@ -183,6 +186,7 @@ private:
   QMenu* recentMenu;
   ViewMenu* viewMenu;
   std::vector<QDockWidget*> panels;
+  KeyImagesBox* keyImages;
   QDockWidget* curvedDock; ///< holds the view along a curve
   QProgressBar* progress;
   QPushButton* cancel;

@@ -2,6 +2,7 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/Panels/KeyImagesBox.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/ViewLayout.h"
@@ -30,6 +31,9 @@ void MainWindow::MakeToolMenu()
 {
   QMenu* const menu = this->menuBar()->addMenu(tr("&Tools"));
   this->MakeLeftButtonActions(menu);
+  menu->addSeparator();
+  menu->addAction(tr("&Mark a key image"), this, &MainWindow::MarkKeyImage, QKeySequence("Ctrl+M"))
+    ->setObjectName("markKeyImage");
   menu->addSeparator();
   this->MakeComparisonActions(menu);
 }
@@ -107,6 +111,18 @@ QAction* MainWindow::MakeToolAction(const MenuTool& tool, QMenu* menu, QActionGr
       }
     });
   return action;
+}
+
+// The slice that has the keys, otherwise the volume.
+void MainWindow::MarkKeyImage()
+{
+  KeyView view = KeyView::Volume;
+  for (std::size_t i = 0; i < this->sliceViews.size(); ++i)
+  {
+    // The views are in the order of the planes.
+    view = this->sliceViews[i]->hasFocus() ? KeyView(i + 1) : view;
+  }
+  this->keyImages->Mark(view);
 }
 
 void MainWindow::MakeComparisonActions(QMenu* menu)

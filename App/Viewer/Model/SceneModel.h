@@ -28,7 +28,8 @@ enum class ScenePart
   Camera,
   Cuts,
   Slices,
-  Measures,     ///< and annotations
+  Measures, ///< and annotations
+  KeyImages,
   Labels,       ///< another segmentation, or none
   Segments,     ///< their names and looks
   Overlays,     ///< the volumes over the first: which, where, and how they look in slices

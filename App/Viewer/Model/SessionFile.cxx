@@ -55,6 +55,7 @@ QString WorkText(const Scene& scene, const Study& study)
   Scene work;
   work.cuts = scene.cuts;
   work.measures = scene.measures;
+  work.keyImages = scene.keyImages;
   work.lights = scene.lights;
   work.shadows = scene.shadows;
   work.scattering = scene.scattering;

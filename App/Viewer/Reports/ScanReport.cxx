@@ -2,6 +2,7 @@
 
 #include "Scene/Presets.h"
 #include "Scene/SceneNames.h"
+#include "Viewer/Model/KeyImageTexts.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/SceneModel.h"
@@ -149,6 +150,58 @@ void AddSlices(QTextDocument& document, SceneModel* model)
   }
 }
 
+// The scene as it was when a key image was marked.
+Scene MarkedScene(const Scene& scene, const KeyImage& image)
+{
+  Scene marked = scene;
+  marked.slices = image.slices;
+  marked.camera = image.camera;
+  return marked;
+}
+
+QImage PictureOf(const KeyImage& image, SceneModel* model)
+{
+  const Scene scene = MarkedScene(model->CurrentScene(), image);
+  if (image.view == KeyView::Volume)
+  {
+    return PictureMaker(scene, *model->CurrentStudy(), { PictureSize, false, true }).Draw();
+  }
+  SceneModel marked;
+  marked.Restore(scene, model->CurrentStudy());
+  SliceView view(&marked, SlicePlane(int(image.view) - int(KeyView::Axial)));
+  view.resize(SliceSize);
+  return view.grab().toImage();
+}
+
+QString NameOfKeyImage(std::size_t number)
+{
+  return QStringLiteral("key-image-%1").arg(number);
+}
+
+void AddKeyImages(QTextDocument& document, SceneModel* model)
+{
+  std::size_t number = 0;
+  for (const KeyImage& image : model->CurrentScene().keyImages)
+  {
+    AddPicture(document, NameOfKeyImage(++number), PictureOf(image, model));
+  }
+}
+
+// Names of key images are left out; they may contain a patient's name.
+QString KeyImagesHtml(const std::vector<KeyImage>& images)
+{
+  QString html;
+  for (std::size_t i = 0; i < images.size(); ++i)
+  {
+    html += QStringLiteral("<p>%1. %2<br><img src='%3' width='%4'></p>")
+              .arg(i + 1)
+              .arg(TitleOf(images[i].view).toHtmlEscaped(), NameOfKeyImage(i + 1))
+              .arg(WidthOfPicture);
+  }
+  return html.isEmpty() ? html
+                        : QStringLiteral("<h3>%1</h3>").arg(ReportTexts::tr("Key images")) + html;
+}
+
 }
 
 QString ScanReportHtml(const Scene& scene, const Study& study)
@@ -164,7 +217,7 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
       MeasureRows(scene, study))
     .arg(WidthOfPicture)
     .arg(WidthOfSlice)
-    .arg(SegmentTable(scene, study));
+    .arg(SegmentTable(scene, study) + KeyImagesHtml(scene.keyImages));
 }
 
 void WriteScanReport(SceneModel* model, const QString& path)
@@ -172,6 +225,7 @@ void WriteScanReport(SceneModel* model, const QString& path)
   const Scene& scene = model->CurrentScene();
   QTextDocument document;
   AddSlices(document, model);
+  AddKeyImages(document, model);
   PictureMaker maker(scene, *model->CurrentStudy(), { PictureSize, false, true });
   AddPicture(document, "picture", maker.Draw());
   document.setHtml(ScanReportHtml(scene, *model->CurrentStudy()));

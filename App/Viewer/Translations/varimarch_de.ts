@@ -39,6 +39,25 @@
     </message>
 </context>
 <context>
+    <name>KeyImageTexts</name>
+    <message>
+        <source>Axial slice</source>
+        <translation>Axiale Schicht</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Koronale Schicht</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Sagittale Schicht</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+</context>
+<context>
     <name>KeysDialog</name>
     <message>
         <source>Volume</source>
@@ -623,6 +642,10 @@ Masken nicht unterstützt</translation>
     <message>
         <source>shown</source>
         <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
     </message>
 </context>
 <context>
@@ -1646,6 +1669,41 @@ Masken nicht unterstützt</translation>
     <message>
         <source>per mm</source>
         <translation>je mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::KeyImagesBox</name>
+    <message>
+        <source>Key images</source>
+        <translation>Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Hingehen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Tools, Mark a key image adds the view that was clicked last. Reports show all of them.</source>
+        <translation>Werkzeuge, Schlüsselbild merken fügt die zuletzt angeklickte Ansicht hinzu. Berichte zeigen alle.</translation>
+    </message>
+    <message>
+        <source>mark a key image</source>
+        <translation>Schlüsselbild merken</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>umbenennen</translation>
+    </message>
+    <message>
+        <source>go to a key image</source>
+        <translation>zu einem Schlüsselbild gehen</translation>
+    </message>
+    <message>
+        <source>remove a key image</source>
+        <translation>Schlüsselbild entfernen</translation>
     </message>
 </context>
 <context>

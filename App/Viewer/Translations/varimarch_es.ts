@@ -39,6 +39,25 @@
     </message>
 </context>
 <context>
+    <name>KeyImageTexts</name>
+    <message>
+        <source>Axial slice</source>
+        <translation>Corte axial</translation>
+    </message>
+    <message>
+        <source>Coronal slice</source>
+        <translation>Corte coronal</translation>
+    </message>
+    <message>
+        <source>Sagittal slice</source>
+        <translation>Corte sagital</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+</context>
+<context>
     <name>KeysDialog</name>
     <message>
         <source>Volume</source>
@@ -623,6 +642,10 @@ no admite máscaras</translation>
     <message>
         <source>shown</source>
         <translation>mostradas</translation>
+    </message>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
     </message>
 </context>
 <context>
@@ -1646,6 +1669,41 @@ no admite máscaras</translation>
     <message>
         <source>per mm</source>
         <translation>por mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::KeyImagesBox</name>
+    <message>
+        <source>Key images</source>
+        <translation>Imágenes clave</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Ir</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Tools, Mark a key image adds the view that was clicked last. Reports show all of them.</source>
+        <translation>Herramientas, Marcar una imagen clave añade la última vista en la que se hizo clic. Los informes las muestran todas.</translation>
+    </message>
+    <message>
+        <source>mark a key image</source>
+        <translation>marcar una imagen clave</translation>
+    </message>
+    <message>
+        <source>rename</source>
+        <translation>renombrar</translation>
+    </message>
+    <message>
+        <source>go to a key image</source>
+        <translation>ir a una imagen clave</translation>
+    </message>
+    <message>
+        <source>remove a key image</source>
+        <translation>eliminar una imagen clave</translation>
     </message>
 </context>
 <context>

@@ -94,6 +94,7 @@ std::string AnonymousText(Scene scene)
   ForgetNames(scene.overlays);
   ForgetOwnName(scene.look);
   ForgetNames(scene.measures);
+  ForgetNames(scene.keyImages);
   if (scene.labels)
   {
     scene.labels->path = "labels";
