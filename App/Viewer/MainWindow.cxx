@@ -74,8 +74,7 @@ MainWindow::MainWindow(QWidget* parent)
   this->resize(1280, 800);
   this->MakeFileMenu();
   this->MakeEditMenu();
-  this->viewMenu = new ViewMenu(&this->model, this->views, this);
-  this->menuBar()->addMenu(this->viewMenu);
+  this->MakeViewMenu();
   this->MakeToolMenu();
   this->MakeHelpMenu();
   this->MakePanels();
@@ -227,6 +226,17 @@ void MainWindow::MakeEditMenu()
     });
   edit->addSeparator();
   edit->addAction(tr("&Suggested look"), this, &MainWindow::TakeSuggestedLook, QKeySequence("R"));
+}
+
+void MainWindow::MakeViewMenu()
+{
+  this->viewMenu = new ViewMenu(&this->model, this->views, this);
+  this->menuBar()->addMenu(this->viewMenu);
+  for (SliceView* const slice : this->sliceViews)
+  {
+    slice->SetCornerTexts(this->viewMenu->ChosenCornerTexts());
+    connect(this->viewMenu, &ViewMenu::CornerTextsChosen, slice, &SliceView::SetCornerTexts);
+  }
 }
 
 void MainWindow::MakePanels()

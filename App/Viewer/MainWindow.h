@@ -94,6 +94,7 @@ private:
   void ShowStudies();
   void ShowTags();
   void MakeEditMenu();
+  void MakeViewMenu();
   void MakeToolMenu();
   void MakeLeftButtonActions(QMenu* menu);
   void MakeAnnotationActions(QMenu* menu, QActionGroup* group);

@@ -8,11 +8,22 @@
 
 #include <QActionGroup>
 #include <QColorDialog>
+#include <QSettings>
 
 #include <tuple>
 
 namespace varimarch
 {
+
+namespace
+{
+
+QString SettingOf(CornerText text)
+{
+  return QStringLiteral("slices/text%1").arg(int(text));
+}
+
+}
 
 ViewMenu::ViewMenu(SceneModel* model, ViewLayout* layout, QWidget* parent)
   : QMenu(tr("&View"), parent)
@@ -26,6 +37,7 @@ ViewMenu::ViewMenu(SceneModel* model, ViewLayout* layout, QWidget* parent)
     ->setObjectName("background");
   this->addSeparator();
   this->AddWindows();
+  this->AddCornerTexts();
   this->AddArrangements();
   this->AddFullScreen();
   this->addSeparator();
@@ -122,6 +134,46 @@ void ViewMenu::ListWindows(QMenu* windows)
     action->setEnabled(bool(this->model->CurrentStudy()));
     action->setStatusTip(tr("Or click a slice and press %1").arg(number));
   }
+}
+
+void ViewMenu::AddCornerTexts()
+{
+  QMenu* const menu = this->addMenu(tr("Te&xts over the slices"));
+  menu->setObjectName("cornerTexts");
+  const std::pair<CornerText, QString> texts[] = {
+    { CornerText::Window, tr("&Window, level and zoom") },
+    { CornerText::Number, tr("&Number of the slice") },
+    { CornerText::Position, tr("&Position") },
+    { CornerText::Slab, tr("Thickness of the &slab") },
+    { CornerText::Scale, tr("S&cale bar") },
+    { CornerText::Directions, tr("&Directions of the patient") },
+  };
+  const CornerTexts shown = this->ChosenCornerTexts();
+  for (const auto& [text, name] : texts)
+  {
+    QAction* const action = menu->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(shown.count(text) > 0);
+    connect(action, &QAction::toggled, this,
+      [this, text = text](bool on)
+      {
+        QSettings().setValue(SettingOf(text), on);
+        emit this->CornerTextsChosen(this->ChosenCornerTexts());
+      });
+  }
+}
+
+CornerTexts ViewMenu::ChosenCornerTexts() const
+{
+  CornerTexts shown;
+  for (const CornerText text : AllCornerTexts())
+  {
+    if (QSettings().value(SettingOf(text), true).toBool())
+    {
+      shown.insert(text);
+    }
+  }
+  return shown;
 }
 
 void ViewMenu::AddArrangements()

@@ -2,6 +2,7 @@
 #define Varimarch_Viewer_ViewMenu_h
 
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/ViewLayout.h"
 
 #include <QMenu>
@@ -21,10 +22,17 @@ public:
   /// The menu of the panels, which the window fills.
   QMenu* Panels() { return this->panels; }
 
+  /// The texts over slices that the user has chosen, in this run or before.
+  CornerTexts ChosenCornerTexts() const;
+
+signals:
+  void CornerTextsChosen(const varimarch::CornerTexts& shown);
+
 private:
   void AddStandardViews();
   void AddProjection();
   void AddWindows();
+  void AddCornerTexts();
   void AddArrangements();
   void AddFullScreen();
   void ListWindows(QMenu* windows);

@@ -199,6 +199,30 @@ TEST_F(Slices, HaveTheUsualWindowsOfCtOnTheNumbers)
   EXPECT_FALSE(windowLevel()) << "values of MR have no unit";
 }
 
+TEST_F(Slices, ShowTheTextsThatTheUserChooses)
+{
+  const auto picture = [this](const CornerTexts& shown)
+  {
+    this->axial.SetCornerTexts(shown);
+    return this->axial.grab().toImage();
+  };
+  std::vector<QImage> pictures = { picture({}) };
+  // There is no slab, so its text is empty.
+  for (const CornerText text : { CornerText::Window, CornerText::Number, CornerText::Position,
+         CornerText::Scale, CornerText::Directions })
+  {
+    pictures.push_back(picture({ text }));
+  }
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      EXPECT_NE(pictures[i], pictures[j]) << i << ' ' << j;
+    }
+  }
+  EXPECT_EQ(picture({ CornerText::Slab }), pictures[0]);
+}
+
 // Scale bars have round lengths.
 TEST(ScaleBar, IsTheLargestRoundLengthThatFits)
 {

@@ -3815,6 +3815,34 @@ ml</translation>
         <source>Full s&amp;creen</source>
         <translation>Vollbil&amp;d</translation>
     </message>
+    <message>
+        <source>&amp;Window, level and zoom</source>
+        <translation>&amp;Fenster, Mitte und Zoom</translation>
+    </message>
+    <message>
+        <source>&amp;Number of the slice</source>
+        <translation>&amp;Nummer der Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Position</translation>
+    </message>
+    <message>
+        <source>Thickness of the &amp;slab</source>
+        <translation>&amp;Dicke der Schicht</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>&amp;Directions of the patient</source>
+        <translation>&amp;Richtungen des Patienten</translation>
+    </message>
+    <message>
+        <source>Te&amp;xts over the slices</source>
+        <translation>Te&amp;xte über den Schichten</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::VolumeLoader</name>

@@ -3815,6 +3815,34 @@ ml</translation>
         <source>Full s&amp;creen</source>
         <translation>Pantalla co&amp;mpleta</translation>
     </message>
+    <message>
+        <source>&amp;Window, level and zoom</source>
+        <translation>&amp;Ventana, nivel y zoom</translation>
+    </message>
+    <message>
+        <source>&amp;Number of the slice</source>
+        <translation>&amp;Número del corte</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Posición</translation>
+    </message>
+    <message>
+        <source>Thickness of the &amp;slab</source>
+        <translation>&amp;Grosor del corte</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>E&amp;scala</translation>
+    </message>
+    <message>
+        <source>&amp;Directions of the patient</source>
+        <translation>&amp;Direcciones del paciente</translation>
+    </message>
+    <message>
+        <source>Te&amp;xts over the slices</source>
+        <translation>Te&amp;xtos sobre los cortes</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::VolumeLoader</name>

@@ -23,7 +23,7 @@ namespace
 constexpr double MarginX = 6.0; // pixels
 constexpr double MarginY = 4.0;
 
-struct CornerTexts
+struct CornerWords
 {
   Q_DECLARE_TR_FUNCTIONS(SliceCorners)
 };
@@ -37,39 +37,43 @@ QString LettersOf(const glm::dvec3& direction)
 QString WindowText(const SliceRequest& request, double zoom)
 {
   const int decimals = request.window < 10.0 ? 3 : 0;
-  QStringList lines = { CornerTexts::tr("W %1 L %2")
+  QStringList lines = { CornerWords::tr("W %1 L %2")
                           .arg(NumberText(request.window, decimals),
                             NumberText(request.level, decimals)) };
   if (zoom != 1.0)
   {
-    lines << CornerTexts::tr("Zoom %1 %").arg(NumberText(100.0 * zoom, 0));
+    lines << CornerWords::tr("Zoom %1 %").arg(NumberText(100.0 * zoom, 0));
   }
   return lines.join('\n');
 }
 
 // The position is the distance from the origin of the patient's coordinates, such as "S 12.5 mm".
-QString PlaceText(vtkImageData* image, const SliceRequest& request)
+QString PlaceText(vtkImageData* image, const SliceRequest& request, const CornerTexts& texts)
 {
   QStringList lines;
+  const bool hasNumber = texts.count(CornerText::Number) > 0;
   const bool isTurned = request.turn != SliceTurn();
   const auto slice =
     isTurned ? std::nullopt : SliceNumberAt(image, request.plane, request.middleMm);
-  if (slice)
+  if (slice && hasNumber)
   {
-    lines << CornerTexts::tr("Slice %1 of %2").arg(slice->number).arg(slice->count);
+    lines << CornerWords::tr("Slice %1 of %2").arg(slice->number).arg(slice->count);
   }
-  if (isTurned)
+  if (isTurned && hasNumber)
   {
-    lines << CornerTexts::tr("Oblique");
+    lines << CornerWords::tr("Oblique");
   }
   const glm::dvec3 through = VectorOf(AxesOf(request.plane, request.turn).through);
   const double positionMm = glm::dot(VectorOf(request.middleMm), through);
-  lines << CornerTexts::tr("%1 %2 mm")
-             .arg(LettersOf(positionMm < 0.0 ? -through : through),
-               NumberText(std::abs(positionMm), 1));
-  if (request.slabMm > 0.0)
+  if (texts.count(CornerText::Position))
   {
-    lines << CornerTexts::tr("Slab %1 mm").arg(NumberText(request.slabMm, 1));
+    lines << CornerWords::tr("%1 %2 mm")
+               .arg(LettersOf(positionMm < 0.0 ? -through : through),
+                 NumberText(std::abs(positionMm), 1));
+  }
+  if (request.slabMm > 0.0 && texts.count(CornerText::Slab))
+  {
+    lines << CornerWords::tr("Slab %1 mm").arg(NumberText(request.slabMm, 1));
   }
   return lines.join('\n');
 }
@@ -79,10 +83,10 @@ QString LengthText(double lengthMm)
 {
   if (lengthMm < 1.0)
   {
-    return CornerTexts::tr("%1 µm").arg(NumberText(1000.0 * lengthMm, lengthMm < 0.001 ? 3 : 0));
+    return CornerWords::tr("%1 µm").arg(NumberText(1000.0 * lengthMm, lengthMm < 0.001 ? 3 : 0));
   }
-  return lengthMm < 10.0 ? CornerTexts::tr("%1 mm").arg(NumberText(lengthMm, 0))
-                         : CornerTexts::tr("%1 cm").arg(NumberText(0.1 * lengthMm, 0));
+  return lengthMm < 10.0 ? CornerWords::tr("%1 mm").arg(NumberText(lengthMm, 0))
+                         : CornerWords::tr("%1 cm").arg(NumberText(0.1 * lengthMm, 0));
 }
 
 void DrawScaleBar(QPainter& painter, const QRectF& inside, double mmPerPixel)
@@ -103,12 +107,8 @@ void DrawScaleBar(QPainter& painter, const QRectF& inside, double mmPerPixel)
     Qt::AlignRight | Qt::AlignBottom, LengthText(lengthMm));
 }
 
-}
-
-void DrawSliceCorners(QPainter& painter, const QRectF& view, vtkImageData* image,
-  const SliceRequest& request, double zoom)
+void DrawDirections(QPainter& painter, const QRectF& inside, const SliceRequest& request)
 {
-  const QRectF inside = view.adjusted(MarginX, MarginY, -MarginX, -MarginY);
   const SliceAxes axes = AxesOf(request.plane, request.turn);
   const glm::dvec3 right = VectorOf(axes.right);
   const glm::dvec3 down = VectorOf(axes.down);
@@ -116,9 +116,28 @@ void DrawSliceCorners(QPainter& painter, const QRectF& view, vtkImageData* image
   DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, LettersOf(-right));
   DrawLegibly(painter, inside, Qt::AlignBottom | Qt::AlignHCenter, LettersOf(down));
   DrawLegibly(painter, inside, Qt::AlignTop | Qt::AlignHCenter, LettersOf(-down));
-  DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignTop, WindowText(request, zoom));
-  DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignTop, PlaceText(image, request));
-  DrawScaleBar(painter, inside, request.mmPerPixel);
+}
+
+}
+
+void DrawSliceCorners(
+  QPainter& painter, const QRectF& view, vtkImageData* image, const SliceCorners& corners)
+{
+  const auto& [request, zoom, texts] = corners;
+  const QRectF inside = view.adjusted(MarginX, MarginY, -MarginX, -MarginY);
+  if (texts.count(CornerText::Directions))
+  {
+    DrawDirections(painter, inside, request);
+  }
+  if (texts.count(CornerText::Window))
+  {
+    DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignTop, WindowText(request, zoom));
+  }
+  DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignTop, PlaceText(image, request, texts));
+  if (texts.count(CornerText::Scale))
+  {
+    DrawScaleBar(painter, inside, request.mmPerPixel);
+  }
 }
 
 double ScaleBarMm(double mostMm)

@@ -5,19 +5,44 @@
 
 #include <QRectF>
 
+#include <set>
+
 class QPainter;
 class vtkImageData;
 
 namespace varimarch
 {
 
-/// Draws texts over a slice: window, level and zoom in the upper left, number, position and slab in
-/// the upper right, a bar of a round length in the lower right, and the letters of the patient's
-/// directions at the edges.
-/// @param request  the slice, which fills the view
-/// @param zoom     1: the volume just fits into the view
-void DrawSliceCorners(QPainter& painter, const QRectF& view, vtkImageData* image,
-  const SliceRequest& request, double zoom);
+/// A text over a slice that the user can hide.
+enum class CornerText
+{
+  Window,     ///< window, level and zoom, in the upper left
+  Number,     ///< number of the slice, in the upper right
+  Position,   ///< below it
+  Slab,       ///< its thickness, below that
+  Scale,      ///< a bar of a round length, in the lower right
+  Directions, ///< letters of the patient's directions at the edges
+};
+
+using CornerTexts = std::set<CornerText>;
+
+inline CornerTexts AllCornerTexts()
+{
+  return { CornerText::Window, CornerText::Number, CornerText::Position, CornerText::Slab,
+    CornerText::Scale, CornerText::Directions };
+}
+
+/// A slice with its texts.
+struct SliceCorners
+{
+  const SliceRequest& request; ///< the slice, which fills the view
+  double zoom;                 ///< 1: the volume just fits into the view
+  const CornerTexts& texts;    ///< that are shown
+};
+
+/// Draws texts over a slice.
+void DrawSliceCorners(
+  QPainter& painter, const QRectF& view, vtkImageData* image, const SliceCorners& corners);
 
 /// The length of a scale bar [mm]: 1, 2 or 5 times a power of ten, and the largest within a limit.
 double ScaleBarMm(double mostMm);

@@ -70,6 +70,12 @@ void SliceView::SetTool(LeftButton button)
   this->measure.SetKind(kind.value_or(MeasureKind::Distance));
 }
 
+void SliceView::SetCornerTexts(const CornerTexts& shown)
+{
+  this->corners = shown;
+  this->update();
+}
+
 void SliceView::SetSegmentEditor(SegmentEditor* newEditor)
 {
   this->segmentEditor = newEditor;

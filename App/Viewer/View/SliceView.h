@@ -7,6 +7,7 @@
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/CrosshairArms.h"
+#include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/SlicePlacement.h"
 
 #include <QPoint>
@@ -37,6 +38,9 @@ public:
 
   /// The left button edits segments while a tool of the editor is chosen.
   void SetSegmentEditor(SegmentEditor* newEditor);
+
+  /// Sets the texts at the edges; at first all are shown.
+  void SetCornerTexts(const CornerTexts& shown);
 
   PictureFrame Frame() const override;
 
@@ -90,6 +94,7 @@ private:
   SceneModel* model;
   SlicePlane plane;
   SliceZoom zoom;
+  CornerTexts corners = AllCornerTexts();
   int gesture = SceneModel::NoGesture;
   MeasureTool measure;
   bool measuring = false;    ///< the left button measures

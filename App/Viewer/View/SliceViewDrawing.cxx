@@ -36,7 +36,7 @@ void SliceView::paintEvent(QPaintEvent*)
   this->DrawVoxels(painter);
   this->DrawCrosshair(painter);
   DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
-    this->Request(), this->zoom.factor);
+    { this->Request(), this->zoom.factor, this->corners });
   this->DrawMeasuresOfSlice(painter);
   this->DrawBrush(painter);
   if (this->hasFocus())
