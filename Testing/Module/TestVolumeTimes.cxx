@@ -8,6 +8,7 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
 
 #include <gtest/gtest.h>
@@ -165,6 +166,38 @@ TEST_F(VolumeTimes, ArePipelineTimes)
   this->reader->SetFileName(this->folder.Write("one.nii", NiftiBytes(phantom::Stored(0))).c_str());
   this->reader->UpdateInformation();
   EXPECT_FALSE(information->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+}
+
+TEST_F(VolumeTimes, OfOmeZarrAreAnAxis)
+{
+  const std::string path = this->folder.Path("t.zarr");
+  const auto writeAxis = [this](const std::string& axis)
+  {
+    this->folder.Write("t.zarr/.zattrs",
+      R"({"multiscales": [{"version": "0.4", "axes": [)" + axis +
+        R"(, {"name": "z", "type": "space"}, {"name": "y", "type": "space"},
+        {"name": "x", "type": "space"}], "datasets": [{"path": "0", "coordinateTransformations":
+        [{"type": "scale", "scale": [1500, 1, 1, 1]},
+         {"type": "translation", "translation": [3000, 0, 0, 0]}]}]}]})");
+  };
+  this->folder.Write("t.zarr/0/.zarray",
+    R"({"zarr_format": 2, "shape": [4, 3, 4, 5], "chunks": [1, 3, 4, 5], "dtype": "<i2",
+    "compressor": null, "fill_value": 0, "order": "C", "filters": null})");
+  for (int time = 0; time < timeCount; ++time)
+  {
+    this->folder.Write("t.zarr/0/" + std::to_string(time) + ".0.0.0", VoxelBytes(AtTime(time)));
+  }
+  writeAxis(R"({"name": "t", "type": "time", "unit": "millisecond"})");
+  this->ExpectSeconds(path, { 3.0, 4.5, 6.0, 7.5 });
+  EXPECT_EQ(this->reader->GetWarnings()->GetNumberOfValues(), 0) << "no time is left out";
+  writeAxis(R"({"name": "frame", "type": "time"})");
+  this->ExpectNumbers(path);
+  const ExpectedVtkErrors errors;
+  this->reader->SetTimeIndex(4);
+  this->reader->Update();
+  EXPECT_NE(
+    std::string(this->reader->GetErrorMessage()).find("a time from 0 to 3"), std::string::npos)
+    << this->reader->GetErrorMessage();
 }
 
 TEST_F(VolumeTimes, BeyondTheLastAreAnError)

@@ -112,8 +112,8 @@ def zarr_opens_by_any_of_its_names(folder):
     expect_refused(several, '"0"')
 
 
-def zarr_levels_and_channels_are_chosen(folder):
-    """The level and the channel that are asked for; what is left out is named."""
+def zarr_levels_channels_and_times_are_chosen(folder):
+    """The level, channel and time that are asked for; what is left out is named."""
     path = folder / "a.zarr"
     values = values_of((2, 3, 4, 6, 8), "u2")
     half = values[..., ::2, ::2, ::2]
@@ -124,12 +124,14 @@ def zarr_levels_and_channels_are_chosen(folder):
              omero={"channels": [window] * 3})
     found, image, doubts = read(path)
     assert (found == values[0, 0]).all()
-    assert sum("counted from 0" in doubt for doubt in doubts) == 2, doubts
-    found, image, _ = read(path, level=1, channel=2)
-    assert (found == half[0, 2]).all()
+    assert sum("counted from 0" in doubt for doubt in doubts) == 1, doubts
+    assert sum("2 times" in doubt for doubt in doubts) == 1, doubts
+    found, image, _ = read(path, level=1, channel=2, time=1)
+    assert (found == half[1, 2]).all()
     assert numpy.allclose(image.GetSpacing(), (8e-3, 6e-3, 4e-3))
     expect_refused(path, "level from 0 to 1", level=2)
     expect_refused(path, "channel from 0 to 2", channel=3)
+    expect_refused(path, "time from 0 to 1", time=2)
     reader = varimarch.vtkVolumeFileReader()
     reader.SetFileName(str(path))
     reader.Update()

@@ -198,18 +198,6 @@ void TakeOtherAxis(const NrrdHeader& header, std::size_t axis, NrrdAxes& axes)
   }
 }
 
-/// Seconds of a unit of time; 0 for other texts.
-double SecondsOf(const std::string& unit)
-{
-  static const std::map<std::string, double> units = { { "s", 1.0 }, { "sec", 1.0 },
-    { "second", 1.0 }, { "seconds", 1.0 }, { "ms", 1e-3 }, { "msec", 1e-3 },
-    { "millisecond", 1e-3 }, { "milliseconds", 1e-3 }, { "us", 1e-6 }, { "min", 60.0 } };
-  std::string name = LowerCase(Trimmed(unit));
-  name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
-  const auto known = units.find(name);
-  return known == units.end() ? 0.0 : known->second;
-}
-
 /// The number of an axis in a field; NaN if there is none.
 double NumberOfAxis(
   const NrrdHeader& header, const std::vector<std::string>& keys, const NrrdAxes& axes)
@@ -230,7 +218,7 @@ std::vector<double> LabelledSeconds(const NrrdHeader& header)
 {
   const auto labels = header.pairs.find("MultiVolume.FrameLabels");
   const auto unit = header.pairs.find("MultiVolume.FrameIdentifyingDICOMTagUnits");
-  const double seconds = unit == header.pairs.end() ? 0.0 : SecondsOf(unit->second);
+  const double seconds = unit == header.pairs.end() ? 0.0 : SecondsPerUnit(unit->second);
   std::vector<double> times;
   if (labels != header.pairs.end() && seconds > 0.0)
   {
@@ -265,12 +253,12 @@ VolumeTimes TimesOf(const NrrdHeader& header, const NrrdAxes& axes)
   {
     const std::vector<double> origin =
       NrrdVector(header, "space origin", header.fields.Value({ "spaceorigin" }));
-    const double seconds = SecondsOf(TimeOfSpace(header, "spaceunits"));
+    const double seconds = SecondsPerUnit(TimeOfSpace(header, "spaceunits"));
     return EvenTimes(
       axes.volumeCount, seconds * (origin.size() == 4 ? origin[3] : 0.0), seconds * direction[3]);
   }
   const double seconds =
-    axes.lists.front() < units.size() ? SecondsOf(units[axes.lists.front()]) : 0.0;
+    axes.lists.front() < units.size() ? SecondsPerUnit(units[axes.lists.front()]) : 0.0;
   return EvenTimes(axes.volumeCount, seconds * NumberOfAxis(header, { "axismins" }, axes),
     seconds * NumberOfAxis(header, { "spacings" }, axes));
 }

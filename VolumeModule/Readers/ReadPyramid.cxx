@@ -248,6 +248,7 @@ Volume ReadPyramid(const PyramidOrder& order, ReadProgress& progress)
   Volume volume;
   volume.windowLevel = form.windowLevel;
   volume.warnings = form.warnings;
+  volume.times = form.times;
   if (level > 0 && !order.options.level)
   {
     volume.warnings.push_back("Level " + std::to_string(level) + ", " +

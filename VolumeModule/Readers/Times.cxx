@@ -1,10 +1,12 @@
 #include "Readers/Times.h"
 
 #include "Readers/FileError.h"
+#include "Readers/HeaderText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 
 namespace varimarch
@@ -51,6 +53,22 @@ void TakeTimes(
                  : "a time from 0 to " + std::to_string(count - 1),
       "the time " + std::to_string(options.time));
   }
+}
+
+double SecondsPerUnit(const std::string& unit)
+{
+  static const std::map<std::string, double> units = { { "s", 1.0 }, { "sec", 1.0 },
+    { "second", 1.0 }, { "ms", 1e-3 }, { "msec", 1e-3 }, { "millisecond", 1e-3 }, { "us", 1e-6 },
+    { "microsecond", 1e-6 }, { "nanosecond", 1e-9 }, { "min", 60.0 }, { "minute", 60.0 },
+    { "hour", 3600.0 }, { "day", 86400.0 } };
+  std::string name = LowerCase(Trimmed(unit));
+  name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+  if (name.size() > 3 && name.back() == 's')
+  {
+    name.pop_back();
+  }
+  const auto known = units.find(name);
+  return known == units.end() ? 0.0 : known->second;
 }
 
 std::int64_t NearestTime(const std::vector<double>& times, double value)

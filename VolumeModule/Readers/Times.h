@@ -25,6 +25,9 @@ VolumeTimes StatedTimes(const std::vector<double>& seconds);
 void TakeTimes(
   const std::string& path, VolumeTimes times, const ReadOptions& options, Volume& volume);
 
+/// Seconds of a unit of time, which may be in quotation marks; 0 for other texts.
+double SecondsPerUnit(const std::string& unit);
+
 /// The number of the time that lies nearest to a value.
 std::int64_t NearestTime(const std::vector<double>& times, double value);
 

@@ -11,6 +11,25 @@
 namespace varimarch
 {
 
+namespace
+{
+
+// The levels of a file; null for files without levels.
+std::shared_ptr<DecodedPyramid> PyramidOf(const FileSource& source)
+{
+  if (source.timeSeconds)
+  {
+    return nullptr; // a reader finds the time that is nearest
+  }
+  ReadProgress silent([](double) { return true; });
+  ReadOptions options;
+  options.channel = source.channel;
+  options.time = source.time;
+  return OpenPyramidAt(source.path, options, silent);
+}
+
+}
+
 ZarrInput ZarrInputOf(const LoadedVolume& volume)
 {
   const WrittenImage image("OME-Zarr", volume.image);
@@ -39,10 +58,7 @@ ZarrInput ZarrInputOf(const LoadedVolume& volume)
 
 std::optional<ZarrInput> ChunkedInput(const FileSource& source, std::vector<std::string>& warnings)
 {
-  ReadProgress silent([](double) { return true; });
-  ReadOptions options;
-  options.channel = source.channel;
-  const std::shared_ptr<DecodedPyramid> pyramid = OpenPyramidAt(source.path, options, silent);
+  const std::shared_ptr<DecodedPyramid> pyramid = PyramidOf(source);
   if (!pyramid)
   {
     return std::nullopt;

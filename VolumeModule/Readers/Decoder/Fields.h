@@ -61,7 +61,7 @@ void Fields(Wire& wire, RawOptions& raw)
 template <class Wire>
 void Fields(Wire& wire, ReadOptions& options)
 {
-  wire(options.raw, options.series, options.rectify, options.level, options.channel);
+  wire(options.raw, options.series, options.rectify, options.level, options.time, options.channel);
 }
 
 template <class Wire>
@@ -116,9 +116,15 @@ void Fields(Wire& wire, PyramidOrder& order)
 }
 
 template <class Wire>
+void Fields(Wire& wire, VolumeTimes& times)
+{
+  wire(times.values, times.areSeconds);
+}
+
+template <class Wire>
 void Fields(Wire& wire, PyramidForm& form)
 {
-  wire(form.levels, form.geometries, form.scalarType, form.windowLevel, form.warnings);
+  wire(form.levels, form.geometries, form.scalarType, form.windowLevel, form.warnings, form.times);
 }
 
 template <class Wire>

@@ -22,6 +22,7 @@ struct PyramidForm
   int scalarType = 0;                     ///< VTK_SHORT or another VTK type
   std::optional<WindowLevel> windowLevel;
   std::vector<std::string> warnings;
+  VolumeTimes times; ///< times of the file, one of which is read
 };
 
 /// The chunks of a level that a file or folder has.
@@ -73,7 +74,7 @@ struct PyramidOrder
 {
   PyramidFormat format = PyramidFormat::Zarr;
   std::string path;
-  ReadOptions options; ///< only the channel is used
+  ReadOptions options; ///< only the channel and the time are used
 };
 
 /// Voxels of a box along each axis, and of all of it.

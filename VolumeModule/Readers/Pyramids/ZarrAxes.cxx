@@ -2,6 +2,7 @@
 
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
+#include "Readers/Times.h"
 
 #include <cmath>
 
@@ -27,6 +28,7 @@ ZarrAxis AxisNamed(const std::string& name)
   axis.name = name;
   axis.world = WorldOf(LowerCase(name));
   axis.isChannel = name == "c" || name == "channel";
+  axis.isTime = name == "t" || name == "time";
   return axis;
 }
 
@@ -41,6 +43,17 @@ std::vector<double> NumbersOf(const std::string& path, const nlohmann::json& tra
     FailToRead(path, std::to_string(count) + " numbers as " + type, Quoted(list.dump()));
   }
   return numbers;
+}
+
+/// Fails unless an axis has a place.
+void CheckPlace(
+  const std::string& path, const std::string& axis, std::int64_t wanted, std::int64_t count)
+{
+  if (wanted < 0 || wanted >= count)
+  {
+    FailToRead(path, "a " + axis + " from 0 to " + std::to_string(count - 1),
+      "the wish for " + axis + " " + std::to_string(wanted));
+  }
 }
 
 }
@@ -74,10 +87,13 @@ ZarrAxes OmeAxes(
     ZarrAxis axis = AxisNamed(TextIn(isName ? entry : ValueAt(entry, "name")));
     const std::string type = TextIn(ValueAt(entry, "type"));
     axis.isChannel = axis.isChannel || type == "channel";
+    axis.isTime = axis.isTime || type == "time";
+    const std::string unit = TextIn(ValueAt(entry, "unit"));
     if (axis.world)
     {
-      axis.mmPerUnit = MmPerUnitOrWarn(TextIn(ValueAt(entry, "unit")), warnings);
+      axis.mmPerUnit = MmPerUnitOrWarn(unit, warnings);
     }
+    axis.secondsPerUnit = axis.isTime ? SecondsPerUnit(unit) : 0.0;
     axes.push_back(axis);
   }
   if (axes.size() < 2 || axes.size() > MostOmeAxes)
@@ -108,8 +124,8 @@ void ApplyTransforms(const std::string& path, const nlohmann::json& transforms, 
   }
 }
 
-ZarrSelection SelectionOf(
-  const std::string& path, const ZarrAxes& axes, const ZarrHeader& header, int channel)
+ZarrSelection SelectionOf(const std::string& path, const ZarrAxes& axes, const ZarrHeader& header,
+  const ReadOptions& options)
 {
   const std::size_t rank = header.shape.size();
   if (axes.size() != rank)
@@ -122,6 +138,7 @@ ZarrSelection SelectionOf(
   bool isTaken[3] = {};
   std::size_t count = 0;
   std::int64_t channels = 1;
+  std::int64_t times = 1;
   for (std::size_t i = 0; i < rank; ++i)
   {
     // The axis that runs fastest in a chunk comes first.
@@ -134,20 +151,35 @@ ZarrSelection SelectionOf(
     }
     else if (axis.isChannel)
     {
-      selection.start[place] = channel;
+      selection.start[place] = options.channel;
       channels = header.shape[place];
+    }
+    else if (axis.isTime)
+    {
+      selection.start[place] = options.time;
+      times = header.shape[place];
     }
   }
   if (count < 2)
   {
     FailToRead(path, "at least two of the axes x, y and z", std::to_string(count) + " of them");
   }
-  if (channel < 0 || channel >= channels)
-  {
-    FailToRead(path, "a channel from 0 to " + std::to_string(channels - 1),
-      "the wish for channel " + std::to_string(channel));
-  }
+  CheckPlace(path, "channel", options.channel, channels);
+  CheckPlace(path, "time", options.time, times);
   return selection;
+}
+
+VolumeTimes TimesOf(const ZarrAxes& axes, const ZarrHeader& header)
+{
+  for (std::size_t i = 0; i < axes.size(); ++i)
+  {
+    if (axes[i].isTime)
+    {
+      const double seconds = axes[i].secondsPerUnit;
+      return EvenTimes(header.shape[i], axes[i].translation * seconds, axes[i].scale * seconds);
+    }
+  }
+  return {};
 }
 
 ImageGeometry GeometryOf(const ZarrAxes& axes, const ZarrSelection& selection)
@@ -179,7 +211,7 @@ std::vector<std::string> LeftOut(const ZarrAxes& axes, const ZarrHeader& header,
   for (std::size_t i = 0; i < axes.size(); ++i)
   {
     const std::int64_t count = header.shape[i];
-    if (!axes[i].world && count > 1)
+    if (!axes[i].world && !axes[i].isTime && count > 1)
     {
       const std::string number = std::to_string(axes[i].isChannel ? channel : 0);
       sentences.push_back("The axis " + Quoted(axes[i].name) + " has " + std::to_string(count) +

@@ -4,6 +4,7 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/Pyramids/Json.h"
 #include "Readers/Pyramids/ZarrArray.h"
+#include "Readers/VolumeFile.h"
 
 #include <optional>
 #include <string>
@@ -18,9 +19,11 @@ struct ZarrAxis
   std::string name;         ///< "x", "channel" or any other
   std::optional<int> world; ///< 0 to 2 for x, y and z; empty for other axes
   bool isChannel = false;
+  bool isTime = false;
   double mmPerUnit = 1.0;
-  double scale = 1.0;       ///< in the unit of the axis, as the next
-  double translation = 0.0; ///< position of the first voxel's centre
+  double secondsPerUnit = 0.0; ///< 0 if the unit is not known
+  double scale = 1.0;          ///< in the unit of the axis, as the next
+  double translation = 0.0;    ///< position of the first voxel's centre
 };
 
 using ZarrAxes = std::vector<ZarrAxis>;
@@ -40,10 +43,13 @@ ZarrAxes OmeAxes(
 /// @throws std::runtime_error if it has anything else
 void ApplyTransforms(const std::string& path, const nlohmann::json& transforms, ZarrAxes& axes);
 
-/// The volume of a channel at the first place along other axes.
-/// @throws std::runtime_error if the array has other axes, or no such channel
-ZarrSelection SelectionOf(
-  const std::string& path, const ZarrAxes& axes, const ZarrHeader& header, int channel);
+/// The volume of a channel and a time at the first place along other axes.
+/// @throws std::runtime_error if the array has other axes, or no such channel or time
+ZarrSelection SelectionOf(const std::string& path, const ZarrAxes& axes, const ZarrHeader& header,
+  const ReadOptions& options);
+
+/// The times of an array: those of its axis of time, or else a single one.
+VolumeTimes TimesOf(const ZarrAxes& axes, const ZarrHeader& header);
 
 /// Positions of the selected voxels [mm].
 ImageGeometry GeometryOf(const ZarrAxes& axes, const ZarrSelection& selection);

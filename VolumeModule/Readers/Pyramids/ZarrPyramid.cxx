@@ -40,14 +40,14 @@ private:
   void TakeWindow(const nlohmann::json& attributes);
 
   std::string folder;
-  int channel;
+  ReadOptions options; ///< only the channel and the time are used
   std::vector<ZarrArray> arrays;
   std::vector<ZarrSelection> selections;
 };
 
 ZarrPyramid::ZarrPyramid(const std::string& folder, const ReadOptions& options)
   : folder(folder)
-  , channel(options.channel)
+  , options(options)
 {
   const std::string attributesPath = (fs::path(folder) / ZarrAttributesFile).string();
   const nlohmann::json attributes =
@@ -70,7 +70,7 @@ void ZarrPyramid::AddLevel(const std::string& levelFolder, const ZarrAxes& axes)
 {
   const ZarrArray& array = this->arrays.emplace_back(levelFolder);
   const ZarrHeader& header = array.Header();
-  this->selections.push_back(SelectionOf(levelFolder, axes, header, this->channel));
+  this->selections.push_back(SelectionOf(levelFolder, axes, header, this->options));
   const ZarrSelection& selection = this->selections.back();
   BrickSource::Level level = { { 1, 1, 1 }, { 1, 1, 1 }, { 1.0, 1.0, 1.0 } };
   for (int axis = 0; axis < 3; ++axis)
@@ -85,7 +85,8 @@ void ZarrPyramid::AddLevel(const std::string& levelFolder, const ZarrAxes& axes)
   if (this->form.levels.empty())
   {
     this->form.scalarType = header.scalarType;
-    for (const std::string& left : LeftOut(axes, header, this->channel))
+    this->form.times = TimesOf(axes, header);
+    for (const std::string& left : LeftOut(axes, header, this->options.channel))
     {
       this->form.warnings.push_back(left);
     }
@@ -138,11 +139,12 @@ void ZarrPyramid::AddMultiscale(const nlohmann::json& attributes)
 void ZarrPyramid::TakeWindow(const nlohmann::json& attributes)
 {
   const auto channels = ListIn(ValueAt(ValueAt(attributes, "omero"), "channels"));
-  if (std::size_t(this->channel) >= channels.size())
+  const auto channel = std::size_t(this->options.channel);
+  if (channel >= channels.size())
   {
     return;
   }
-  const nlohmann::json& window = ValueAt(channels[std::size_t(this->channel)], "window");
+  const nlohmann::json& window = ValueAt(channels[channel], "window");
   const nlohmann::json& start = ValueAt(window, "start");
   const nlohmann::json& end = ValueAt(window, "end");
   if (start.is_number() && end.is_number() && end.get<double>() > start.get<double>())
