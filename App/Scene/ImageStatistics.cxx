@@ -13,6 +13,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -23,6 +24,8 @@ namespace
 {
 
 using Counts = std::vector<std::int64_t>;
+
+constexpr double MostBins = 65536.0;
 
 // vtkImageHistogram is no alternative: it writes outside its bins if a whole slab is infinite.
 Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_t bins)
@@ -67,7 +70,6 @@ ImageStatistics::ImageStatistics(vtkImageData* image)
     this->counts = std::move(onDisk.counts);
     return;
   }
-  constexpr double MostBins = 65536.0;
   double range[2];
   image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
   this->smallest = range[0];
@@ -81,6 +83,30 @@ ImageStatistics::ImageStatistics(vtkImageData* image)
   this->binSpacing = bins > 1.0 ? width / (bins - 1.0) : 1.0;
 
   this->counts = Count(image, this->smallest, this->binSpacing, std::size_t(bins));
+}
+
+void ImageStatistics::Add(const ImageStatistics& other)
+{
+  const double least = std::min(this->smallest, other.smallest);
+  const double most = std::max(this->largest, other.largest);
+  const double width = most - least;
+  const bool oneByOne = this->binSpacing == 1.0 && other.binSpacing == 1.0 && width < MostBins;
+  const double bins = oneByOne ? std::floor(width) + 1.0 : MostBins;
+  const double spacing = bins > 1.0 ? width / (bins - 1.0) : 1.0;
+  std::vector<std::int64_t> sums(std::size_t(bins), 0);
+  for (const ImageStatistics* const one : { static_cast<const ImageStatistics*>(this), &other })
+  {
+    for (std::size_t bin = 0; bin < one->counts.size(); ++bin)
+    {
+      const double place = (one->ValueOfBin(bin) - least) / spacing + 0.5;
+      // The comparison is false for a range that is too wide for a number.
+      sums[place > 0.0 ? std::size_t(std::min(place, bins - 1.0)) : 0] += one->counts[bin];
+    }
+  }
+  this->smallest = least;
+  this->largest = most;
+  this->binSpacing = spacing;
+  this->counts = std::move(sums);
 }
 
 double ImageStatistics::ValueOfBin(std::size_t bin) const

@@ -18,6 +18,10 @@ public:
   /// smallest or largest finite one, NaN as the smallest.
   explicit ImageStatistics(vtkImageData* image);
 
+  /// Adds the counts of another volume, such as another time of it. Unless both are of integers
+  /// within 65536 of each other, counts move to the nearest of 65536 bins.
+  void Add(const ImageStatistics& other);
+
   /// Range of the finite values.
   double Smallest() const { return this->smallest; }
   double Largest() const { return this->largest; }

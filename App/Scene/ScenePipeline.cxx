@@ -269,11 +269,26 @@ void ScenePipeline::ApplyFirstImage()
   if (this->mapperMask != wanted)
   {
     this->mapperMask = wanted;
-    const vtkSmartPointer<vtkImageData> drawn =
-      wanted ? WithoutRemoved(this->image, wanted) : this->image;
-    vtkNew<vtkTransform> unused; // the geometry is the same
-    this->mapper->SetInputDataObject(
-      0, IsOurs(this->kind) ? drawn : WithoutDirection(RightHanded(drawn), unused));
+    this->ApplyVoxels();
+  }
+}
+
+void ScenePipeline::ApplyVoxels()
+{
+  const vtkSmartPointer<vtkImageData> drawn =
+    this->mapperMask ? WithoutRemoved(this->image, this->mapperMask) : this->image;
+  vtkNew<vtkTransform> unused; // the geometry is the same
+  this->mapper->SetInputDataObject(
+    0, IsOurs(this->kind) ? drawn : WithoutDirection(RightHanded(drawn), unused));
+}
+
+void ScenePipeline::SetImage(vtkImageData* newImage)
+{
+  this->image = newImage;
+  this->ApplyVoxels();
+  if (this->DrawsRegions())
+  {
+    this->ApplyProperty(); // regions cover the range of the values
   }
 }
 

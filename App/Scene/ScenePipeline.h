@@ -48,6 +48,10 @@ public:
   /// The part that scissors and BodyMask keep, see Scissors.h; null if they keep all.
   vtkImageData* Mask() const { return this->mask; }
 
+  /// Draws other voxels of the same grid, such as those of another time. What removes the table or
+  /// the face stays as it was made for the first voxels.
+  void SetImage(vtkImageData* newImage);
+
   /// Each setter changes one part of the scene and keeps the volume.
   void SetLook(const Look& look);
   void SetCamera(const Camera& camera, double aspect);
@@ -82,6 +86,7 @@ private:
   void ApplyLight();
   void ApplyMask();
   void ApplyFirstImage();
+  void ApplyVoxels();
   void ApplyOverlays();
   void ApplyInterpolation();
   void SetMask(vtkImageData* voxels, bool areLabels);

@@ -235,6 +235,44 @@ LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer
   return ReadFile(std::get<FileSource>(source), observer);
 }
 
+struct TimeReader::State
+{
+  explicit State(const FileSource& source)
+    : reader(source.path, observer)
+  {
+    Apply(source, this->reader);
+  }
+
+  LoadObserver ofThisTime; ///< null between the times
+  const LoadObserver observer = [this](double part)
+  { return !this->ofThisTime || this->ofThisTime(part); };
+  QuietReader reader;
+};
+
+TimeReader::TimeReader(const FileSource& source)
+  : state(std::make_unique<State>(source))
+{
+}
+
+TimeReader::~TimeReader() = default;
+
+LoadedVolume TimeReader::Read(int time, const LoadObserver& observer)
+{
+  QuietReader& reader = this->state->reader;
+  this->state->ofThisTime = observer;
+  reader->SetTimeIndex(time);
+  reader->Update();
+  this->state->ofThisTime = nullptr;
+  reader.Check();
+  LoadedVolume volume = VolumeOf(reader);
+  // The reader's own image is filled anew by the next time, and must not keep the voxels alive.
+  vtkNew<vtkImageData> own;
+  own->ShallowCopy(volume.image);
+  volume.image = own;
+  reader->GetOutput()->ReleaseData();
+  return volume;
+}
+
 bool MayHoldSeveralSeries(const FileSource& source)
 {
   const std::filesystem::path path = source.path;

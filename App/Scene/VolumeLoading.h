@@ -9,6 +9,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,6 +63,26 @@ using LoadObserver = std::function<bool(double)>;
 /// @throws std::runtime_error with one sentence that names the file and the fault, or reports that
 ///   the observer cancelled
 LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer = {});
+
+/// Reads one time after the other of a file with several, and finds and unpacks nothing again. The
+/// file must not change meanwhile. All of it is used in one thread at a time.
+class TimeReader
+{
+public:
+  explicit TimeReader(const FileSource& source);
+  ~TimeReader();
+  TimeReader(const TimeReader&) = delete;
+  TimeReader& operator=(const TimeReader&) = delete;
+
+  /// @param time  counted from 0; the time of the source is not used
+  /// @throws std::runtime_error as LoadVolume does
+  LoadedVolume Read(int time, const LoadObserver& observer);
+
+private:
+  struct State;
+
+  std::unique_ptr<State> state;
+};
 
 /// One DICOM series of a folder or disc.
 struct SeriesSummary

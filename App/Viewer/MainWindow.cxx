@@ -3,6 +3,7 @@
 #include "Viewer/AccessibleNames.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SegmentEditor.h"
+#include "Viewer/Model/TimeSeries.h"
 #include "Viewer/Open/StartPage.h"
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
@@ -14,6 +15,7 @@
 #include "Viewer/Panels/PresetGallery.h"
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/Panels/SlabBar.h"
+#include "Viewer/Panels/TimeBar.h"
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/CurvedView.h"
@@ -56,6 +58,7 @@ MainWindow::MainWindow(QWidget* parent)
   column->addWidget(this->warnings);
   this->MakeViews();
   this->MakeStartPage();
+  this->MakeTimes();
   auto* const pages = new QStackedWidget;
   pages->addWidget(this->startPage);
   pages->addWidget(this->views);
@@ -69,6 +72,7 @@ MainWindow::MainWindow(QWidget* parent)
       }
     });
   column->addWidget(pages, 1);
+  column->addWidget(this->timeBar);
   this->setCentralWidget(center);
   this->setAcceptDrops(true);
   this->resize(1280, 800);
@@ -161,6 +165,14 @@ void MainWindow::MakeStartPage()
     [this](const VolumeSource& sample) { this->Load(sample); });
 }
 
+void MainWindow::MakeTimes()
+{
+  this->times = new TimeSeries(&this->model, this);
+  this->timeBar = new TimeBar(&this->model, this->times);
+  connect(this->times, &TimeSeries::Failed, this,
+    [this](const QString& reason) { this->statusBar()->showMessage(reason); });
+}
+
 void MainWindow::MakeFileMenu()
 {
   QMenu* const file = this->menuBar()->addMenu(tr("&File"));
@@ -237,6 +249,7 @@ void MainWindow::MakeViewMenu()
     slice->SetCornerTexts(this->viewMenu->ChosenCornerTexts());
     connect(this->viewMenu, &ViewMenu::CornerTextsChosen, slice, &SliceView::SetCornerTexts);
   }
+  this->viewMenu->AddTimes(this->timeBar->Actions());
 }
 
 void MainWindow::MakePanels()

@@ -29,6 +29,8 @@ class SegmentEditor;
 class PrivateFolder;
 class SliceView;
 class StartPage;
+class TimeBar;
+class TimeSeries;
 class ViewLayout;
 class ViewMenu;
 class WarningBar;
@@ -83,6 +85,7 @@ private:
   void Listen();
   void MakeViews();
   void MakeStartPage();
+  void MakeTimes();
   void MakeFileMenu();
   void MakeArchiveActions(QMenu* menu);
   void ShowArchive();
@@ -183,6 +186,8 @@ private:
   SegmentEditor* segmentEditor;
   ViewLayout* views;
   StartPage* startPage;
+  TimeSeries* times;
+  TimeBar* timeBar;
   WarningBar* warnings;
   QMenu* recentMenu;
   ViewMenu* viewMenu;

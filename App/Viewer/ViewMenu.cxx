@@ -198,6 +198,14 @@ void ViewMenu::AddArrangements()
   }
 }
 
+void ViewMenu::AddTimes(const QList<QAction*>& actions)
+{
+  auto* const times = new QMenu(tr("&Times"), this);
+  times->addActions(actions);
+  this->insertMenu(this->panels->menuAction(), times);
+  this->insertSeparator(this->panels->menuAction());
+}
+
 void ViewMenu::AddFullScreen()
 {
   QAction* const full = this->addAction(tr("Full s&creen"));

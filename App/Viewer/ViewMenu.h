@@ -19,6 +19,9 @@ class ViewMenu : public QMenu
 public:
   ViewMenu(SceneModel* model, ViewLayout* layout, QWidget* parent);
 
+  /// Adds a menu with what can be done with the times of a scan.
+  void AddTimes(const QList<QAction*>& actions);
+
   /// The menu of the panels, which the window fills.
   QMenu* Panels() { return this->panels; }
 

@@ -52,6 +52,31 @@ TEST(ImageStatistics, HistogramCountsEveryVoxelOnce)
   EXPECT_NEAR(double(four[1]), 250.0, 1.0);
 }
 
+TEST(ImageStatistics, OfTwoVolumesCountIntegersOneByOne)
+{
+  ImageStatistics statistics(Ramp<short>(VTK_SHORT, 1.0));
+  statistics.Add(ImageStatistics(Ramp<short>(VTK_SHORT, -2.0)));
+  EXPECT_EQ(statistics.Smallest(), -1998.0);
+  EXPECT_EQ(statistics.Largest(), 999.0);
+  ASSERT_EQ(statistics.Counts().size(), 2998);
+  EXPECT_EQ(statistics.Counts()[1998], 2) << "0 is a value of both";
+  EXPECT_EQ(statistics.Counts()[1997], 0);
+  EXPECT_EQ(statistics.Counts()[1996], 1);
+  EXPECT_EQ(statistics.Counts()[1998 + 500], 1);
+}
+
+TEST(ImageStatistics, OfTwoVolumesCountFloatsInBinsOfBothRanges)
+{
+  ImageStatistics statistics(Ramp<float>(VTK_FLOAT, 1e-3));
+  statistics.Add(ImageStatistics(Ramp<float>(VTK_FLOAT, -1e-3)));
+  EXPECT_FLOAT_EQ(float(statistics.Smallest()), -0.999f);
+  EXPECT_FLOAT_EQ(float(statistics.Largest()), 0.999f);
+  EXPECT_NEAR(statistics.Percentile(50.0), 0.0, 1e-3);
+  EXPECT_NEAR(statistics.Percentile(75.0), 0.5, 1e-3);
+  const std::vector<std::int64_t> halves = statistics.Histogram(2);
+  EXPECT_EQ(halves[0] + halves[1], 2000);
+}
+
 TEST(ImageStatistics, ValuesThatAreNotFiniteCountAtTheEnds)
 {
   const auto image = Ramp<float>(VTK_FLOAT, 1.0);

@@ -143,17 +143,6 @@ TEST_F(Opening, AsksWhichOfSeveralSeriesAndWarns)
   EXPECT_TRUE(this->WarningText().contains("compressed with loss"));
 }
 
-TEST_F(Opening, TellsThatAFileHoldsSeveralTimes)
-{
-  this->folder.Write("times.mha",
-    "ObjectType = Image\nNDims = 4\nBinaryData = True\nDimSize = 3 4 5 2\n"
-    "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n" +
-      std::string(60, '\1') + std::string(60, '\2'));
-  this->Open("times.mha");
-  ASSERT_TRUE(this->IsOpened());
-  EXPECT_TRUE(this->WarningText().contains("2 times; number 1 of them is shown"));
-}
-
 TEST_F(Opening, OpensARecentSeriesWithoutAskingAgain)
 {
   this->WriteSeries("1.2.33", 2);

@@ -28,6 +28,12 @@ public:
     , after(std::move(after))
     , gesture(gesture)
   {
+    // A step that keeps the study must not keep the voxels of the time that is shown.
+    if (this->before.study == this->after.study)
+    {
+      this->before.study.reset();
+      this->after.study.reset();
+    }
   }
 
   void undo() override { this->model->Replace(this->parts, this->before); }
@@ -82,6 +88,7 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   this->exchanged.reset();
   State restored = { std::move(opened), saved };
   restored.scene.look = InUnitsOfData(saved.look, restored.study->statistics);
+  TakeTime(restored);
   TakeSegments(restored);
   TakeOverlays(restored);
   this->edited = 0;
@@ -232,6 +239,49 @@ void SceneModel::SetPreset(const Preset& preset, const QString& name)
       std::move(changed), NoGesture));
 }
 
+// A scene can name its time by seconds; from now on it has a number.
+void SceneModel::TakeTime(State& taken)
+{
+  if (auto* const file = std::get_if<FileSource>(&taken.scene.volume))
+  {
+    file->timeSeconds.reset();
+    file->time = taken.study->volume.times.current;
+  }
+}
+
+int SceneModel::ChosenTime() const
+{
+  const auto* const file = std::get_if<FileSource>(&this->state.scene.volume);
+  return file ? file->time : 0;
+}
+
+void SceneModel::ChooseTime(int time, const QString& name, int gesture)
+{
+  this->Edit(
+    ScenePart::Time, name, [time](Scene& scene) { std::get<FileSource>(scene.volume).time = time; },
+    gesture);
+}
+
+void SceneModel::ShowTime(const LoadedVolume& ofTime)
+{
+  this->state.study = AtTime(*this->state.study, ofTime);
+  const bool isOther = this->ChosenTime() != ofTime.times.current;
+  TakeTime(this->state);
+  emit this->Changed(ScenePart::Voxels);
+  if (isOther)
+  {
+    emit this->Changed(ScenePart::Time);
+  }
+}
+
+void SceneModel::TakeCounts(std::shared_ptr<const ImageStatistics> allTimes)
+{
+  Study counted = *this->state.study;
+  counted.allTimes = std::move(allTimes);
+  this->state.study = std::make_shared<const Study>(std::move(counted));
+  emit this->Changed(ScenePart::Voxels);
+}
+
 // The labels of the study have the appearance that the scene gave when they were loaded.
 void SceneModel::TakeSegments(State& taken)
 {
@@ -274,7 +324,9 @@ void SceneModel::TakeOverlays(State& taken)
 void SceneModel::Replace(const std::vector<ScenePart>& parts, const State& newState)
 {
   const auto before = this->state.study ? this->EditedStudy() : nullptr;
+  const auto study = newState.study ? newState.study : this->state.study;
   this->state = newState;
+  this->state.study = study;
   this->edited = std::min(this->edited, int(newState.scene.overlays.size()));
   const bool editsOther = before && parts.front() != ScenePart::Volume &&
     this->EditedStudy()->volume.image != before->volume.image;

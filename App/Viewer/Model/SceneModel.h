@@ -23,6 +23,8 @@ namespace varimarch
 enum class ScenePart
 {
   Volume, ///< and every other part
+  Time,   ///< the time of the volume that the scene names
+  Voxels, ///< voxels of another time, or counts of all times; not a part of the scene
   Look,
   Lights,
   Camera,
@@ -74,6 +76,19 @@ public:
 
   /// The form that the last exchange replaced; null without one.
   std::shared_ptr<const Study> ExchangedStudy() const { return this->exchanged; }
+
+  /// The time of the scan that the scene names, counted from 0. Until it has been read, the voxels
+  /// are those of another time, CurrentStudy()->volume.times.current.
+  int ChosenTime() const;
+
+  /// Names another time of a scan with several. This is an undo step.
+  void ChooseTime(int time, const QString& name, int gesture = NoGesture);
+
+  /// Shows the voxels of a time of the scan, which the scene then names.
+  void ShowTime(const LoadedVolume& ofTime);
+
+  /// Takes the counts of all times of the scan.
+  void TakeCounts(std::shared_ptr<const ImageStatistics> allTimes);
 
   /// Shows labels over the scan. This is an undo step.
   /// @param labelled  the scan with these labels
@@ -154,6 +169,7 @@ private:
   /// The current scene with another study.
   State WithStudy(std::shared_ptr<const Study> study) const;
 
+  static void TakeTime(State& taken);
   static void TakeSegments(State& taken);
   void TakeVersionOfFile(State& taken);
   static void TakeOverlays(State& taken);

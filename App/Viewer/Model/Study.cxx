@@ -14,6 +14,18 @@ std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels)
   return std::make_shared<const Study>(std::move(labelled));
 }
 
+std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTime)
+{
+  Study other = scan;
+  other.volume = ofTime;
+  if (other.labels)
+  {
+    other.segmentStatistics =
+      StatisticsOfSegments(other.labels->image, other.labels->segments.size(), other.volume.image);
+  }
+  return std::make_shared<const Study>(std::move(other));
+}
+
 std::shared_ptr<const Study> WithoutLabels(const Study& scan)
 {
   Study bare = scan;

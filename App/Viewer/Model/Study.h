@@ -17,13 +17,18 @@ namespace varimarch
 struct Study
 {
   LoadedVolume volume;
-  ImageStatistics statistics;
+  ImageStatistics statistics; ///< counts of the volume at the time when it was opened
   std::shared_ptr<const LabelMap> labels = {}; ///< null without a segmentation
   std::vector<RegionStatistics>
     segmentStatistics = {}; ///< the volume in each segment of the labels
   /// The volumes over this one, in the order of the scene's overlays.
   std::vector<std::shared_ptr<const Study>> overlays = {};
+  /// Counts of all times of the volume; null until they have been read, and for a single time.
+  std::shared_ptr<const ImageStatistics> allTimes = {};
 };
+
+/// The same study at another time of its volume.
+std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTime);
 
 /// Another form of a volume, with the overlays of that volume.
 std::shared_ptr<const Study> WithOverlaysOf(

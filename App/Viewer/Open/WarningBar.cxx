@@ -54,13 +54,6 @@ QStringList WarningBar::TextsOf(const Study& study)
   {
     texts.append(QString::fromStdString(warning));
   }
-  const LoadedTimes& times = study.volume.times;
-  if (times.AreSeveral())
-  {
-    texts.append(tr("The file holds %1 times; number %2 of them is shown.")
-                   .arg(times.values.size())
-                   .arg(times.current + 1));
-  }
   return texts;
 }
 

@@ -21,7 +21,7 @@ class WarningBar : public QFrame
 public:
   explicit WarningBar(QWidget* parent = nullptr);
 
-  /// The warnings of a volume and of its labels, and that its file holds further times.
+  /// The warnings of a volume and of its labels.
   static QStringList TextsOf(const Study& study);
 
   /// Shows warnings; hides the bar if there are none.

@@ -143,6 +143,10 @@ void LookPanel::MakeEditor(QVBoxLayout* column)
   tools->addWidget(this->MakeColorMaps());
   column->addWidget(tools);
   column->addWidget(this->editor, 1);
+  this->counted = new QLabel;
+  this->counted->setObjectName("countedTimes");
+  this->counted->hide();
+  column->addWidget(this->counted);
   connect(this->editor, &TransferFunctionEditor::LookEdited, this,
     [this](const Look& look, const QString& name, int gesture)
     { this->model->SetLook(look, name, gesture); });
@@ -175,6 +179,11 @@ QToolButton* LookPanel::MakeColorMaps()
 
 void LookPanel::Update(ScenePart part)
 {
+  if (part == ScenePart::Voxels && !this->counted->isHidden() &&
+    this->model->EditedStudy()->allTimes)
+  {
+    this->ShowHistogram();
+  }
   if (part != ScenePart::Look && !IsOtherLookVolume(part))
   {
     return;
@@ -186,9 +195,20 @@ void LookPanel::Update(ScenePart part)
     const auto study = this->model->EditedStudy();
     this->setEnabled(true);
     this->editor->SetUnit(study->volume.modality == "CT" ? tr("HU") : tr("value"));
-    this->editor->SetStatistics({ study, &study->statistics });
+    this->ShowHistogram();
   }
   this->ShowPreset();
+}
+
+// A copy, since the study would keep the voxels of its time in memory.
+void LookPanel::ShowHistogram()
+{
+  const auto study = this->model->EditedStudy();
+  this->editor->SetStatistics(
+    study->allTimes ? study->allTimes : std::make_shared<const ImageStatistics>(study->statistics));
+  const LoadedTimes& times = study->volume.times;
+  this->counted->setText(tr("The histogram is of %1 of %2 times").arg(1).arg(times.values.size()));
+  this->counted->setVisible(times.AreSeveral() && !study->allTimes);
 }
 
 // Shows the preset's name while the look equals the preset. Otherwise an additional last row names

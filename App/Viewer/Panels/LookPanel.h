@@ -43,6 +43,7 @@ private:
   void ChooseFileToSave();
   void Update(ScenePart part);
   void ShowPreset();
+  void ShowHistogram();
   LookContext FileContext() const;
   /// Lets the user choose one of several looks. Empty if the user cancels.
   std::optional<std::size_t> ChosenLook(const std::vector<Preset>& presets);
@@ -52,6 +53,7 @@ private:
   QComboBox* presets;
   QLabel* problem; ///< error of the last file; hidden if there was none
   TransferFunctionEditor* editor;
+  QLabel* counted; ///< says that the histogram lacks times; hidden if it has all
 };
 
 }

@@ -69,7 +69,9 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
 
 void MeasuresPanel::Show(ScenePart part)
 {
-  if (part != ScenePart::Volume && part != ScenePart::Measures)
+  const Scene& scene = this->model->CurrentScene();
+  const bool changesValues = part == ScenePart::Voxels && !scene.measures.empty();
+  if (part != ScenePart::Volume && part != ScenePart::Measures && !changesValues)
   {
     return;
   }
@@ -77,7 +79,6 @@ void MeasuresPanel::Show(ScenePart part)
   const QSignalBlocker quiet(this->table);
   const int row = this->table->currentRow();
   const int rowsBefore = this->table->rowCount();
-  const Scene& scene = this->model->CurrentScene();
   const MeasureTexts texts(scene, this->model->CurrentStudy()->volume);
   this->table->setRowCount(0);
   for (int i = 0; i < texts.values.size(); ++i)

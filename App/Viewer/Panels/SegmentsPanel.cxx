@@ -140,6 +140,15 @@ void SegmentsPanel::Show(ScenePart part)
     this->ShowNote();
     return;
   }
+  if (part == ScenePart::Voxels)
+  {
+    const QSignalBlocker quiet(this->table);
+    for (int row = 0; row < this->table->rowCount(); ++row)
+    {
+      this->ShowStatistics(row);
+    }
+    return;
+  }
   if (part != ScenePart::Volume && part != ScenePart::Labels && part != ScenePart::Segments)
   {
     return;

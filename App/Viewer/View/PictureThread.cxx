@@ -70,7 +70,7 @@ std::shared_ptr<const LabelMap> CopyOf(const std::shared_ptr<const LabelMap>& la
 void CopyVoxels(ScenePart part, const Study& study, ShownVoxels& voxels)
 {
   const bool isNew = part == ScenePart::Volume;
-  if (isNew)
+  if (isNew || part == ScenePart::Voxels)
   {
     voxels.volume = CopyOf(study.volume);
   }
@@ -247,6 +247,10 @@ void PictureThread::Take(ScenePart part, const Scene& scene, const Study& study)
     this->work->finished.reset();
     this->last.reset();
     next.voxels = std::move(voxels);
+  }
+  else if (part == ScenePart::Voxels)
+  {
+    next.voxels.volume = std::move(voxels.volume);
   }
   else if (part == ScenePart::Labels)
   {

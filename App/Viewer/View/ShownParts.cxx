@@ -18,6 +18,9 @@ bool ShowPart(
     case ScenePart::Volume:
       ShowPart(ScenePart::Labels, scene, voxels, pipeline);
       return ShowPart(ScenePart::Overlays, scene, voxels, pipeline);
+    case ScenePart::Voxels:
+      pipeline.SetImage(voxels.volume);
+      return true;
     case ScenePart::Look:
       pipeline.SetLook(scene.look);
       [[fallthrough]];

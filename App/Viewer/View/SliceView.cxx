@@ -51,7 +51,7 @@ void SliceView::Update(ScenePart part)
   {
     this->zoom = {};
   }
-  if (part == ScenePart::Volume || part == ScenePart::Measures)
+  if (part == ScenePart::Volume || part == ScenePart::Voxels || part == ScenePart::Measures)
   {
     this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
     this->update();

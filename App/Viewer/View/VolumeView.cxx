@@ -163,26 +163,39 @@ void VolumeView::resizeEvent(QResizeEvent* event)
 
 void VolumeView::Update(ScenePart part)
 {
-  switch (part)
+  if (part == ScenePart::Camera)
   {
-    case ScenePart::Volume:
-      this->TakeVolume();
-      break;
-    case ScenePart::Camera:
-      this->FollowCamera();
-      return;
-    case ScenePart::Measures:
-      this->TakeMeasures();
-      return;
-    default:
-      if (!ShowPart(part, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()),
-            *this->pipeline))
-      {
-        return;
-      }
-      this->Tell(part);
+    this->FollowCamera();
   }
-  this->pacer.Request();
+  else if (part == ScenePart::Measures)
+  {
+    this->TakeMeasures();
+  }
+  else if (this->Takes(part))
+  {
+    this->pacer.Request();
+  }
+}
+
+// Takes a part of the scene that is drawn by the mapper. Returns false for the others.
+bool VolumeView::Takes(ScenePart part)
+{
+  if (part == ScenePart::Volume)
+  {
+    this->TakeVolume();
+    return true;
+  }
+  if (!ShowPart(part, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()),
+        *this->pipeline))
+  {
+    return false;
+  }
+  if (part == ScenePart::Voxels)
+  {
+    this->TakeMeasures();
+  }
+  this->Tell(part);
+  return true;
 }
 
 void VolumeView::TakeMeasures()

@@ -116,6 +116,7 @@ private:
   class OverlayWidget;
 
   void Update(ScenePart part);
+  bool Takes(ScenePart part);
   void FollowCamera();
   void TakeVolume();
   void TakeMeasures();

@@ -1,0 +1,248 @@
+#include "Viewer/Model/TimeSeries.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace varimarch
+{
+
+namespace
+{
+
+std::array<int, 4> SizeOf(const LoadedVolume& volume)
+{
+  const int* const sides = volume.image->GetDimensions();
+  return { sides[0], sides[1], sides[2], volume.image->GetNumberOfScalarComponents() };
+}
+
+std::string SizeText(const std::array<int, 4>& size)
+{
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+    std::to_string(size[2]) + " voxels of " + std::to_string(size[3]) + " components";
+}
+
+// Labels, cuts and masks lie on the grid of the scan.
+void CheckSize(int time, const std::array<int, 4>& expected, const LoadedVolume& volume)
+{
+  if (SizeOf(volume) != expected)
+  {
+    throw std::runtime_error("Cannot show the time of number " + std::to_string(time) +
+      ", counted from 0: expected " + SizeText(expected) + " as at the other times, found " +
+      SizeText(SizeOf(volume)));
+  }
+}
+
+std::uint64_t BytesOf(vtkImageData* image)
+{
+  return std::uint64_t(image->GetNumberOfPoints()) *
+    std::uint64_t(image->GetScalarSize() * image->GetNumberOfScalarComponents());
+}
+
+}
+
+struct TimeSeries::Found
+{
+  LoadedVolume volume;
+  std::optional<ImageStatistics> statistics; ///< if the time had not been counted
+};
+
+TimeSeries::TimeSeries(SceneModel* model, QObject* parent)
+  : QObject(parent)
+  , model(model)
+{
+  this->showing.setSingleShot(true);
+  connect(&this->showing, &QTimer::timeout, this, &TimeSeries::ShowChosen);
+  connect(&this->task, &BackgroundTask::Failed, this, &TimeSeries::Leave);
+  connect(model, &SceneModel::Changed, this, &TimeSeries::Follow);
+}
+
+void TimeSeries::SetMostBytes(std::uint64_t bytes)
+{
+  this->mostBytes = bytes;
+}
+
+int TimeSeries::Count() const
+{
+  return int(this->model->CurrentStudy()->volume.times.values.size());
+}
+
+// Counts that came with a study are of all times.
+bool TimeSeries::AreCounted() const
+{
+  return this->sum && (this->counted.empty() || int(this->counted.size()) == this->Count());
+}
+
+bool TimeSeries::IsShown() const
+{
+  return this->model->CurrentStudy()->volume.times.current == this->model->ChosenTime();
+}
+
+// A step back can bring a study with the voxels of another time.
+void TimeSeries::Follow(ScenePart part)
+{
+  if (part == ScenePart::Volume)
+  {
+    this->Begin();
+  }
+  if (part == ScenePart::Time)
+  {
+    this->failed.erase(this->model->ChosenTime()); // it is tried again
+  }
+  const bool mayDiffer = part == ScenePart::Volume || part == ScenePart::Time ||
+    part == ScenePart::Labels || part == ScenePart::Overlays;
+  if (this->reader && mayDiffer)
+  {
+    this->showing.start(0);
+  }
+}
+
+void TimeSeries::Begin()
+{
+  this->task.Cancel();
+  this->reader.reset();
+  this->kept.clear();
+  this->counted.clear();
+  this->failed.clear();
+  this->sum.reset();
+  const auto study = this->model->CurrentStudy();
+  const LoadedTimes& times = study->volume.times;
+  if (times.AreSeveral())
+  {
+    this->reader =
+      std::make_shared<TimeReader>(std::get<FileSource>(this->model->CurrentScene().volume));
+    this->kept.emplace(times.current, study->volume);
+    this->sum = study->allTimes;
+  }
+  emit this->KeptChanged();
+}
+
+void TimeSeries::ShowChosen()
+{
+  if (!this->reader)
+  {
+    return;
+  }
+  const auto chosen = this->kept.find(this->model->ChosenTime());
+  if (chosen != this->kept.end() && !this->IsShown())
+  {
+    this->model->ShowTime(chosen->second);
+  }
+  this->DropOthers();
+  if (this->AreCounted() && !this->model->CurrentStudy()->allTimes)
+  {
+    this->model->TakeCounts(this->sum);
+  }
+  this->ReadNext();
+}
+
+// The times in the order of playing, in which a packed file is unpacked once, and the time before
+// the chosen one.
+std::vector<int> TimeSeries::Needed() const
+{
+  const LoadedVolume& shown = this->model->CurrentStudy()->volume;
+  const int count = this->Count();
+  const std::uint64_t fitting = this->mostBytes / std::max<std::uint64_t>(BytesOf(shown.image), 1);
+  const int most =
+    shown.isOnDisk ? 1 : int(std::clamp<std::uint64_t>(fitting, 2, std::uint64_t(count)));
+  const int chosen = this->model->ChosenTime();
+  std::vector<int> needed;
+  for (int ahead = 0; ahead < most; ++ahead)
+  {
+    needed.push_back((chosen + ahead) % count);
+  }
+  if (most > 2)
+  {
+    needed.back() = (chosen + count - 1) % count;
+  }
+  return needed;
+}
+
+std::optional<int> TimeSeries::NextToRead() const
+{
+  const auto hasFailed = [this](int time) { return this->failed.count(time) > 0; };
+  for (const int time : this->Needed())
+  {
+    if (this->kept.count(time) == 0 && !hasFailed(time))
+    {
+      return time;
+    }
+  }
+  const bool counts = !this->model->CurrentStudy()->volume.isOnDisk && !this->AreCounted();
+  for (int time = 0; counts && time < this->Count(); ++time)
+  {
+    if (this->counted.count(time) == 0 && !hasFailed(time))
+    {
+      return time;
+    }
+  }
+  return std::nullopt;
+}
+
+void TimeSeries::ReadNext()
+{
+  const std::optional<int> next = this->task.IsRunning() ? std::nullopt : this->NextToRead();
+  if (!next)
+  {
+    return;
+  }
+  const int time = *next;
+  const LoadedVolume& shown = this->model->CurrentStudy()->volume;
+  const auto size = SizeOf(shown);
+  const bool counts = this->counted.count(time) == 0 && !shown.isOnDisk && !this->AreCounted();
+  const auto found = std::make_shared<Found>();
+  this->reading = time;
+  this->task.Start(
+    [found, time, size, counts, source = this->reader](const TaskProgress& progress)
+    {
+      found->volume = source->Read(time, progress);
+      CheckSize(time, size, found->volume);
+      if (counts)
+      {
+        found->statistics.emplace(found->volume.image);
+      }
+    },
+    [this, found, time] { this->Take(time, *found); });
+}
+
+void TimeSeries::Take(int time, Found& found)
+{
+  if (found.statistics)
+  {
+    if (this->sum)
+    {
+      found.statistics->Add(*this->sum);
+    }
+    this->sum = std::make_shared<const ImageStatistics>(*std::move(found.statistics));
+    this->counted.insert(time);
+  }
+  this->kept.emplace(time, std::move(found.volume));
+  this->ShowChosen();
+}
+
+void TimeSeries::DropOthers()
+{
+  const std::vector<int> needed = this->Needed();
+  for (auto one = this->kept.begin(); one != this->kept.end();)
+  {
+    const bool isNeeded = std::find(needed.begin(), needed.end(), one->first) != needed.end();
+    one = isNeeded ? std::next(one) : this->kept.erase(one);
+  }
+  emit this->KeptChanged();
+}
+
+void TimeSeries::Leave(const QString& reason)
+{
+  this->failed.insert(this->reading);
+  if (this->reading == this->model->ChosenTime() && !this->IsShown())
+  {
+    this->model->ShowTime(this->model->CurrentStudy()->volume);
+    emit this->Failed(reason);
+  }
+  this->showing.start(0);
+}
+
+}
