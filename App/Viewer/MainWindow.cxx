@@ -204,6 +204,11 @@ void MainWindow::MakeFileMenu()
   file->addAction(tr("Send the i&mage to an archive…"), this, &MainWindow::SendPicture)
     ->setObjectName("sendImage");
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
+  QAction* const movie = file->addAction(tr("Export the ti&mes…"), this, &MainWindow::ExportTimes);
+  movie->setObjectName("exportTimes");
+  movie->setEnabled(false);
+  connect(&this->model, &SceneModel::Changed, movie,
+    [this, movie] { movie->setEnabled(this->model.CurrentStudy()->volume.times.AreSeveral()); });
   file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport)
     ->setObjectName("exportReport");
   file->addSeparator();

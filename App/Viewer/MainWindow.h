@@ -8,6 +8,7 @@
 
 #include <QMainWindow>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -154,7 +155,19 @@ private:
   void OfferSegmentations(const FileSource& folder);
   void ShowOffered(const FileSource& folder, const std::vector<SeriesSummary>& offered);
   void ExportPicture();
+  /// Words of a movie's dialogs.
+  struct MovieTexts
+  {
+    QString title;
+    QString waiting;
+    QString name; ///< suggested file name
+  };
+
+  /// Asks for a file and lets a function write it, while a dialog shows its progress.
+  void ExportMovie(const MovieTexts& texts,
+    const std::function<bool(const QString&, const std::function<bool(double)>&)>& write);
   void ExportTurntable();
+  void ExportTimes();
   void ExportReport();
   void ShowBenchmark();
   void AskForLayout(const QString& path);

@@ -12,10 +12,8 @@
 #include "Viewer/SaveDialog.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
-#include "Viewer/View/Turntable.h"
 #include "Viewer/View/VolumeView.h"
 
-#include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -23,7 +21,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
-#include <QProgressDialog>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
@@ -221,41 +218,6 @@ void MainWindow::ExportPicture()
     {
       this->ShowSaved(dialog.Path());
     }
-  }
-}
-
-void MainWindow::ExportTurntable()
-{
-  constexpr int Pictures = 72;
-  const QString path = this->model.CurrentStudy()
-    ? ChosenFileToSave(this, tr("Export a turntable"), TurntableFilters(), "turntable")
-    : QString();
-  if (path.isEmpty())
-  {
-    return;
-  }
-  QProgressDialog waiting(tr("Rendering the turntable"), tr("Cancel"), 0, Pictures, this);
-  waiting.setWindowModality(Qt::WindowModal);
-  waiting.setMinimumDuration(0);
-  try
-  {
-    PictureMaker maker(this->model.CurrentScene(), *this->model.CurrentStudy(),
-      { this->view->Ours()->size(), false, true });
-    const bool isComplete = WriteTurntable(maker, Pictures, path,
-      [&](double part)
-      {
-        waiting.setValue(int(part * Pictures));
-        QCoreApplication::processEvents();
-        return !waiting.wasCanceled();
-      });
-    if (isComplete)
-    {
-      this->ShowSaved(path);
-    }
-  }
-  catch (const std::exception& problem)
-  {
-    QMessageBox::warning(this, tr("Cannot export"), QString::fromStdString(problem.what()));
   }
 }
 

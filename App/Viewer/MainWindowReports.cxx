@@ -1,18 +1,88 @@
-// The part of MainWindow that writes reports and benchmarks.
+// The part of MainWindow that writes movies, reports and benchmarks.
 
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/Panels/TimeBar.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/Reports/ScanReport.h"
 #include "Viewer/SaveDialog.h"
 #include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/TimesMovie.h"
+#include "Viewer/View/Turntable.h"
 #include "Viewer/View/VolumeView.h"
 #include "Viewer/WaitCursor.h"
 
+#include <QCoreApplication>
 #include <QMessageBox>
+#include <QProgressDialog>
 
 namespace varimarch
 {
+
+void MainWindow::ExportMovie(const MovieTexts& texts,
+  const std::function<bool(const QString&, const std::function<bool(double)>&)>& write)
+{
+  constexpr int Steps = 100;
+  const QString path = ChosenFileToSave(this, texts.title, TurntableFilters(), texts.name);
+  if (path.isEmpty())
+  {
+    return;
+  }
+  QProgressDialog waiting(texts.waiting, tr("Cancel"), 0, Steps, this);
+  waiting.setWindowModality(Qt::WindowModal);
+  waiting.setMinimumDuration(0);
+  try
+  {
+    const bool isComplete = write(path,
+      [&](double part)
+      {
+        waiting.setValue(int(part * Steps));
+        QCoreApplication::processEvents();
+        return !waiting.wasCanceled();
+      });
+    if (isComplete)
+    {
+      this->ShowSaved(path);
+    }
+  }
+  catch (const std::exception& problem)
+  {
+    // A reader that is cancelled fails.
+    if (!waiting.wasCanceled())
+    {
+      QMessageBox::warning(this, tr("Cannot export"), QString::fromStdString(problem.what()));
+    }
+  }
+}
+
+void MainWindow::ExportTurntable()
+{
+  constexpr int Pictures = 72;
+  if (!this->model.CurrentStudy())
+  {
+    return;
+  }
+  this->ExportMovie({ tr("Export a turntable"), tr("Rendering the turntable"), "turntable" },
+    [this](const QString& path, const std::function<bool(double)>& onProgress)
+    {
+      PictureMaker maker(this->model.CurrentScene(), *this->model.CurrentStudy(),
+        { this->view->Ours()->size(), false, true });
+      return WriteTurntable(maker, Pictures, path, onProgress);
+    });
+}
+
+// The speed is that of the bar of the times.
+void MainWindow::ExportTimes()
+{
+  this->ExportMovie({ tr("Export the times"), tr("Rendering the times"), "times" },
+    [this](const QString& path, const std::function<bool(double)>& onProgress)
+    {
+      return WriteTimesMovie(
+        { this->model.CurrentScene(), this->model.CurrentStudy(),
+          { this->view->Ours()->size(), false, true }, this->timeBar->Speed() },
+        path, onProgress);
+    });
+}
 
 void MainWindow::ExportReport()
 {

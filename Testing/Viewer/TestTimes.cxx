@@ -1,5 +1,6 @@
 // A scan of several times in the window: chosen, played, kept in sessions.
 
+#include "Answers.h"
 #include "Module/PhantomFiles.h"
 #include "ScanOfTimes.h"
 #include "Scene/SceneCuts.h"
@@ -233,4 +234,22 @@ TEST_F(Times, ThatCannotBeReadAreLeft)
   EXPECT_TRUE(failed.first().first().toString().contains("times.nrrd"));
   EXPECT_EQ(this->Slider()->value(), 1);
   EXPECT_EQ(this->Chosen(), 1);
+}
+
+TEST_F(Times, AreExportedAsPicturesEachOnce)
+{
+  this->OpenTorso();
+  EXPECT_FALSE(this->window.findChild<QAction*>("exportTimes")->isEnabled());
+  this->OpenTimes();
+  const Answers answers(QMessageBox::Ok, this->Path("times.png"));
+  this->window.findChild<QAction*>("exportTimes")->trigger();
+  std::vector<QImage> pictures;
+  for (int time = 0; time < timesOfScan; ++time)
+  {
+    pictures.emplace_back(this->Path("times-00%1.png").arg(time));
+    ASSERT_FALSE(pictures.back().isNull()) << time;
+  }
+  EXPECT_FALSE(QFile::exists(this->Path("times-006.png")));
+  EXPECT_NE(pictures.front(), pictures.back());
+  EXPECT_TRUE(pictures.back().text("varimarch-scene").contains("\"time\": 5"));
 }

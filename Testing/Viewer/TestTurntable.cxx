@@ -2,6 +2,7 @@
 // ffmpeg is tested too.
 
 #include "SmallStudy.h"
+#include "Viewer/Model/TimeSpeed.h"
 #include "Viewer/View/Turntable.h"
 
 #include <QDir>
@@ -183,4 +184,17 @@ TEST_F(TurningWithAScript, OffersMp4OnlyIfFfmpegIsInstalled)
   EXPECT_FALSE(TurntableFilters().join(' ').contains("mp4"));
   EXPECT_TRUE(this->Failure("turn.mp4").contains("ffmpeg"));
   EXPECT_TRUE(this->Files().isEmpty());
+}
+
+TEST(TimesInMovies, AreShownForAsLongAsTheyWereAcquired)
+{
+  LoadedTimes times;
+  times.values = { 0.0, 0.1, 0.4, 0.5 };
+  times.areSeconds = true;
+  EXPECT_EQ(TimesOfMovie(times, {}, 10.0), (std::vector<int>{ 0, 1, 1, 1, 2, 3 }));
+  EXPECT_EQ(TimesOfMovie(times, { 5.0 }, 10.0), (std::vector<int>{ 0, 0, 1, 1, 2, 2, 3, 3 }));
+  EXPECT_EQ(TimesOfMovie(times, { 100.0 }, 10.0), (std::vector<int>{ 0, 1, 2, 3 }))
+    << "no time is left out";
+  times.values.back() = 1e9;
+  EXPECT_THROW(TimesOfMovie(times, {}, 10.0), std::runtime_error);
 }

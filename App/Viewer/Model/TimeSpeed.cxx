@@ -4,12 +4,16 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 namespace varimarch
 {
 
 namespace
 {
+
+constexpr double LongestMovieSeconds = 3600.0;
 
 struct TimeTexts
 {
@@ -26,6 +30,26 @@ double SecondsOfTime(const LoadedTimes& times, int time, TimeSpeed speed)
   }
   const std::size_t first = std::min(std::size_t(time), times.values.size() - 2);
   return times.values[first + 1] - times.values[first];
+}
+
+std::vector<int> TimesOfMovie(const LoadedTimes& times, TimeSpeed speed, double picturesPerSecond)
+{
+  std::vector<int> shown;
+  double end = 0.0;
+  for (int time = 0; time < int(times.values.size()); ++time)
+  {
+    end += SecondsOfTime(times, time, speed);
+    if (!(end <= LongestMovieSeconds))
+    {
+      throw std::runtime_error(
+        TimeTexts::tr("A movie lasts at most an hour, and this one would be longer. Choose a speed "
+                      "beside the slider of the times.")
+          .toStdString());
+    }
+    const auto count = std::size_t(std::llround(end * picturesPerSecond));
+    shown.resize(std::max(count, shown.size() + 1), time);
+  }
+  return shown;
 }
 
 QString TimeText(const LoadedTimes& times, int time)

@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace varimarch
 {
 
@@ -19,6 +21,10 @@ struct TimeSpeed
 /// Seconds from one time to the next. The last one stays as long as that before it.
 /// @param times  several; in seconds if the speed is that of acquisition
 double SecondsOfTime(const LoadedTimes& times, int time, TimeSpeed speed);
+
+/// The times that the pictures of a movie show, counted from 0. Each time is shown at least once.
+/// @throws std::runtime_error with one sentence if the movie would last more than an hour
+std::vector<int> TimesOfMovie(const LoadedTimes& times, TimeSpeed speed, double picturesPerSecond);
 
 /// A time with its unit and its number, such as "1.40 s, 3 of 20".
 QString TimeText(const LoadedTimes& times, int time);

@@ -9,6 +9,7 @@
 #include <QSize>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 class QCheckBox;
@@ -19,6 +20,7 @@ namespace varimarch
 {
 
 class SceneModel;
+struct LoadedVolume;
 struct Study;
 
 struct ExportOptions
@@ -33,7 +35,7 @@ struct ExportOptions
 class PictureMaker
 {
 public:
-  /// @param study  the scene's volume and labels; must outlive this object
+  /// @param study  the scene's volume and labels
   /// @throws std::runtime_error with one sentence if there is no OpenGL
   PictureMaker(const Scene& scene, const Study& study, const ExportOptions& options);
   ~PictureMaker();
@@ -45,12 +47,15 @@ public:
   /// @param onProgress  receives the fraction done, [0, 1)
   QImage Draw(const std::function<void(double)>& onProgress = nullptr);
 
+  /// Draws another time of the volume from now on.
+  void ShowTime(const LoadedVolume& ofTime);
+
   /// Turns the eye about the vertical of the image.
   void Turn(double degrees);
 
 private:
   Scene scene;
-  const Study& study;
+  std::shared_ptr<const Study> study;
   ExportOptions options;
   std::optional<OffscreenView> view;
 };

@@ -176,7 +176,12 @@ QStringList TurntableFilters()
                  << QCoreApplication::translate("Turntable", "Images (*.png)");
 }
 
-bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
+bool IsMovie(const QString& path)
+{
+  return path.endsWith(".mp4", Qt::CaseInsensitive) || path.endsWith(".ogv", Qt::CaseInsensitive);
+}
+
+bool WritePictures(int count, const std::function<QImage(int)>& draw, const QString& path,
   const std::function<bool(double)>& onProgress)
 {
   const std::unique_ptr<TurnWriter> writer = TurnWriterFor(path);
@@ -197,8 +202,7 @@ bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
     {
       return false;
     }
-    writer->Add(maker.Draw());
-    maker.Turn(360.0 / count);
+    writer->Add(draw(i));
     if (!isTaken((i + 0.5) / count))
     {
       return false;
@@ -211,6 +215,18 @@ bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   }
   writer->Complete();
   return true;
+}
+
+bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
+  const std::function<bool(double)>& onProgress)
+{
+  const auto draw = [&](int)
+  {
+    const QImage picture = maker.Draw();
+    maker.Turn(360.0 / count);
+    return picture;
+  };
+  return WritePictures(count, draw, path, onProgress);
 }
 
 }

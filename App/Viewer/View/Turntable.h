@@ -20,11 +20,19 @@ QStringList TurntableFilters();
 /// series "NAME-000.png", "NAME-001.png" and so on.
 std::unique_ptr<TurnWriter> TurnWriterFor(const QString& path);
 
-/// Renders a full turn about the vertical of the image for the writer of a file name. What is
-/// cancelled or fails leaves the files that were there before.
+/// True if a file name chooses a movie.
+bool IsMovie(const QString& path);
+
+/// Writes pictures for the writer of a file name. What is cancelled or fails leaves the files that
+/// were there before.
+/// @param draw  the picture of a number, counted from 0
 /// @param onProgress  receives the fraction done, [0, 1); returns false to cancel
 /// @return true if complete
 /// @throws std::runtime_error with one sentence
+bool WritePictures(int count, const std::function<QImage(int)>& draw, const QString& path,
+  const std::function<bool(double)>& onProgress);
+
+/// Renders a full turn about the vertical of the image as WritePictures does.
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   const std::function<bool(double)>& onProgress);
 
