@@ -16,6 +16,7 @@
 #include "Viewer/Panels/QualityPanel.h"
 #include "Viewer/Panels/SlabBar.h"
 #include "Viewer/Panels/TimeBar.h"
+#include "Viewer/Panels/TimeCurve.h"
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/CurvedView.h"
@@ -72,6 +73,7 @@ MainWindow::MainWindow(QWidget* parent)
       }
     });
   column->addWidget(pages, 1);
+  column->addWidget(this->timeCurve);
   column->addWidget(this->timeBar);
   this->setCentralWidget(center);
   this->setAcceptDrops(true);
@@ -169,6 +171,9 @@ void MainWindow::MakeTimes()
 {
   this->times = new TimeSeries(&this->model, this);
   this->timeBar = new TimeBar(&this->model, this->times);
+  this->timeCurve = new TimeCurve(&this->model, this->times);
+  this->timeCurve->hide();
+  connect(this->timeBar, &TimeBar::CurveWanted, this->timeCurve, &QWidget::setVisible);
   connect(this->times, &TimeSeries::Failed, this,
     [this](const QString& reason) { this->statusBar()->showMessage(reason); });
 }

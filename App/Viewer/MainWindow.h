@@ -31,6 +31,7 @@ class PrivateFolder;
 class SliceView;
 class StartPage;
 class TimeBar;
+class TimeCurve;
 class TimeSeries;
 class ViewLayout;
 class ViewMenu;
@@ -201,6 +202,7 @@ private:
   StartPage* startPage;
   TimeSeries* times;
   TimeBar* timeBar;
+  TimeCurve* timeCurve;
   WarningBar* warnings;
   QMenu* recentMenu;
   ViewMenu* viewMenu;

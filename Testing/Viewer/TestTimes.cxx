@@ -10,10 +10,12 @@
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/Model/TimeSeries.h"
 #include "Viewer/Panels/TimeBar.h"
+#include "Viewer/Panels/TimeCurve.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 #include "Viewer/View/SliceView.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
 #include <QSlider>
@@ -252,4 +254,28 @@ TEST_F(Times, AreExportedAsPicturesEachOnce)
   EXPECT_FALSE(QFile::exists(this->Path("times-006.png")));
   EXPECT_NE(pictures.front(), pictures.back());
   EXPECT_TRUE(pictures.back().text("varimarch-scene").contains("\"time\": 5"));
+}
+
+TEST_F(Times, DrawACurveAtTheCrosshair)
+{
+  this->OpenTimes();
+  auto* const curve = this->window.findChild<TimeCurve*>();
+  EXPECT_FALSE(curve->isVisible());
+  this->Action("curveOfTimes")->trigger();
+  EXPECT_TRUE(curve->isVisible());
+  auto* const series = this->window.findChild<TimeSeries*>();
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return series->Kept().size() == timesOfScan; }, MostMilliseconds));
+  curve->findChild<QAction*>("copyCurve")->trigger();
+  EXPECT_EQ(QGuiApplication::clipboard()->text(),
+    "time [s],value\n0,100\n0.05,200\n0.1,300\n0.15,400\n0.2,500\n0.25,600\n");
+  const QImage before = curve->grab().toImage();
+  this->Model()->Edit(ScenePart::Slices, "crosshair",
+    [](Scene& scene) {
+      scene.slices.crosshairMm = { { 0.0, 0.0, 0.0 } };
+    });
+  EXPECT_TRUE(curve->Csv().contains("0.25,0\n")) << "there is no cube in the corner";
+  EXPECT_NE(curve->grab().toImage(), before);
+  this->Action("curveOfTimes")->trigger();
+  EXPECT_FALSE(curve->isVisible());
 }

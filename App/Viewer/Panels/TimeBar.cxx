@@ -63,12 +63,15 @@ void TimeBar::MakeActions()
   this->previous = action(tr("P&revious time"), ",", "previousTime");
   this->next = action(tr("&Next time"), ".", "nextTime");
   this->loop = action(tr("Repe&at"), "Shift+P", "repeatTimes");
+  this->curve = action(tr("&Curve at the crosshair"), "Shift+C", "curveOfTimes");
   this->play->setIcon(this->style()->standardIcon(QStyle::SP_MediaPlay));
   this->previous->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipBackward));
   this->next->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipForward));
   this->play->setCheckable(true);
   this->loop->setCheckable(true);
   this->loop->setChecked(true);
+  this->curve->setCheckable(true);
+  connect(this->curve, &QAction::toggled, this, &TimeBar::CurveWanted);
   connect(this->play, &QAction::toggled, this, &TimeBar::Play);
   connect(this->previous, &QAction::triggered, this, [this] { this->Step(-1); });
   connect(this->next, &QAction::triggered, this, [this] { this->Step(1); });
@@ -130,6 +133,7 @@ void TimeBar::TakeVolume()
     action->setEnabled(times.AreSeveral());
   }
   this->setVisible(times.AreSeveral());
+  emit this->CurveWanted(times.AreSeveral() && this->curve->isChecked());
   const QSignalBlocker quiet(this->slider);
   this->slider->setRange(0, int(times.values.size()) - 1);
   this->ListSpeeds(times);

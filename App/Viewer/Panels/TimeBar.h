@@ -29,10 +29,17 @@ public:
   /// @param series  reads the times; must outlive this object
   TimeBar(SceneModel* model, const TimeSeries* series, QWidget* parent = nullptr);
 
-  /// Play, previous time, next time, repeat; they are off for a single time.
-  QList<QAction*> Actions() const { return { this->play, this->previous, this->next, this->loop }; }
+  /// Play, previous time, next time, repeat, curve; they are off for a single time.
+  QList<QAction*> Actions() const
+  {
+    return { this->play, this->previous, this->next, this->loop, this->curve };
+  }
 
   TimeSpeed Speed() const;
+
+signals:
+  /// The user wants to see or to hide the curve of a value over time.
+  void CurveWanted(bool shown);
 
 private:
   void MakeActions();
@@ -55,6 +62,7 @@ private:
   QAction* previous;
   QAction* next;
   QAction* loop;
+  QAction* curve;
   QSlider* slider;
   QComboBox* speed; ///< the data is the number of times per second
   QLabel* text;
