@@ -779,6 +779,21 @@ Masken nicht unterstützt</translation>
     </message>
 </context>
 <context>
+    <name>TimeTexts</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 s, %2</source>
+        <translation>%1 s, %2</translation>
+    </message>
+    <message>
+        <source>A movie lasts at most an hour, and this one would be longer. Choose a speed beside the slider of the times.</source>
+        <translation>Ein Film dauert höchstens eine Stunde, und dieser wäre länger. Wählen Sie eine Geschwindigkeit neben dem Regler der Zeitpunkte.</translation>
+    </message>
+</context>
+<context>
     <name>TransferFunctionEditor</name>
     <message>
         <source>opacity %1</source>
@@ -1976,6 +1991,10 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Saves the look in a file</source>
         <translation>Speichert die Darstellung in einer Datei</translation>
+    </message>
+    <message>
+        <source>The histogram is of %1 of %2 times</source>
+        <translation>Das Histogramm zählt %1 von %2 Zeitpunkten</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3618,92 @@ ml</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::TimeBar</name>
+    <message>
+        <source>Speed of the times</source>
+        <translation>Geschwindigkeit der Zeitpunkte</translation>
+    </message>
+    <message>
+        <source>&amp;Play the times</source>
+        <translation>Zeitpunkte ab&amp;spielen</translation>
+    </message>
+    <message>
+        <source>P&amp;revious time</source>
+        <translation>&amp;Voriger Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>&amp;Next time</source>
+        <translation>&amp;Nächster Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>Repe&amp;at</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Curve at the crosshair</source>
+        <translation>&amp;Kurve am Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>As acquired</source>
+        <translation>Wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 a second</source>
+        <translation>%1 pro Sekunde</translation>
+    </message>
+    <message>
+        <source>%1, loading…</source>
+        <translation>%1, wird geladen…</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>abspielen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::TimeCurve</name>
+    <message>
+        <source>Value over time at the crosshair</source>
+        <translation>Wert am Fadenkreuz im Lauf der Zeit</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+C copies the values as CSV</source>
+        <translation>Strg+C kopiert die Werte als CSV</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>%1 at the crosshair, %2 of %3 times</source>
+        <translation>%1 am Fadenkreuz, %2 von %3 Zeitpunkten</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::TransferFunctionEditor</name>
     <message>
         <source>Edit numbers…</source>
@@ -4018,10 +4123,6 @@ ml</translation>
     <message>
         <source>Dismiss</source>
         <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>The file holds %1 times; number %2 of them is shown.</source>
-        <translation>Die Datei enthält %1 Zeitpunkte; gezeigt wird Nummer %2.</translation>
     </message>
 </context>
 </TS>

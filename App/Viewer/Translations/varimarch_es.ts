@@ -779,6 +779,21 @@ no admite máscaras</translation>
     </message>
 </context>
 <context>
+    <name>TimeTexts</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 s, %2</source>
+        <translation>%1 s, %2</translation>
+    </message>
+    <message>
+        <source>A movie lasts at most an hour, and this one would be longer. Choose a speed beside the slider of the times.</source>
+        <translation>Una película dura como máximo una hora, y esta sería más larga. Elija una velocidad junto al control de los tiempos.</translation>
+    </message>
+</context>
+<context>
     <name>TransferFunctionEditor</name>
     <message>
         <source>opacity %1</source>
@@ -1976,6 +1991,10 @@ no admite máscaras</translation>
     <message>
         <source>Saves the look in a file</source>
         <translation>Guarda el aspecto en un archivo</translation>
+    </message>
+    <message>
+        <source>The histogram is of %1 of %2 times</source>
+        <translation>El histograma cuenta %1 de %2 tiempos</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3618,92 @@ ml</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::TimeBar</name>
+    <message>
+        <source>Speed of the times</source>
+        <translation>Velocidad de los tiempos</translation>
+    </message>
+    <message>
+        <source>&amp;Play the times</source>
+        <translation>Re&amp;producir los tiempos</translation>
+    </message>
+    <message>
+        <source>P&amp;revious time</source>
+        <translation>Tiempo an&amp;terior</translation>
+    </message>
+    <message>
+        <source>&amp;Next time</source>
+        <translation>Tiempo &amp;siguiente</translation>
+    </message>
+    <message>
+        <source>Repe&amp;at</source>
+        <translation>Repe&amp;tir</translation>
+    </message>
+    <message>
+        <source>&amp;Curve at the crosshair</source>
+        <translation>&amp;Curva en la cruz</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>As acquired</source>
+        <translation>Como se adquirieron</translation>
+    </message>
+    <message>
+        <source>%1 a second</source>
+        <translation>%1 por segundo</translation>
+    </message>
+    <message>
+        <source>%1, loading…</source>
+        <translation>%1, cargando…</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>reproducir</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::TimeCurve</name>
+    <message>
+        <source>Value over time at the crosshair</source>
+        <translation>Valor en la cruz a lo largo del tiempo</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copiar como CSV</translation>
+    </message>
+    <message>
+        <source>Ctrl+C copies the values as CSV</source>
+        <translation>Ctrl+C copia los valores como CSV</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>valor</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>tiempo [s]</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>%1 at the crosshair, %2 of %3 times</source>
+        <translation>%1 en la cruz, %2 de %3 tiempos</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::TransferFunctionEditor</name>
     <message>
         <source>Edit numbers…</source>
@@ -4018,10 +4123,6 @@ ml</translation>
     <message>
         <source>Dismiss</source>
         <translation>Cerrar</translation>
-    </message>
-    <message>
-        <source>The file holds %1 times; number %2 of them is shown.</source>
-        <translation>El archivo contiene %1 tiempos; se muestra el número %2.</translation>
     </message>
 </context>
 </TS>
