@@ -7,7 +7,13 @@
 #include "Module/ReferenceMixture.h"
 #include "Module/UsualSettings.h"
 
+#include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkLight.h>
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 
 namespace
 {
@@ -102,6 +108,64 @@ RegressionScene InShadows(void (*light)(MapperScene&))
   return regression;
 }
 
+// A ball above a plate, so small that the reference can ask for light from many sides: int16, 16 x
+// 16 x 12 voxels of 4 mm, soft at its surfaces.
+vtkSmartPointer<vtkImageData> BallOverPlate()
+{
+  constexpr glm::ivec3 Size(16, 16, 12);
+  constexpr double VoxelMm = 4.0;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Size.x, Size.y, Size.z);
+  image->SetSpacing(VoxelMm, VoxelMm, VoxelMm);
+  image->SetOrigin(-0.5 * VoxelMm * (Size.x - 1), -0.5 * VoxelMm * (Size.y - 1), 0.0);
+  image->AllocateScalars(VTK_SHORT, 1);
+  auto* voxel = static_cast<short*>(image->GetScalarPointer());
+  for (int z = 0; z < Size.z; ++z)
+  {
+    for (int y = 0; y < Size.y; ++y)
+    {
+      for (int x = 0; x < Size.x; ++x)
+      {
+        const double outsideOfBall = glm::distance(glm::dvec3(x, y, z), { 7.5, 7.5, 6.5 }) - 2.5;
+        const double outside = std::min(outsideOfBall, z - 2.0); // distance from both [voxels]
+        *voxel++ = short(100.0 - 300.0 * std::clamp(outside, -1.0, 1.0));
+      }
+    }
+  }
+  return image;
+}
+
+// @param material  (scene, tolerance) -> its truth
+RegressionScene OfBallOverPlate(
+  void (*prepare)(MapperScene&), MapperScene::Material (*material)(MapperScene&, double))
+{
+  constexpr double Tolerance = 1e-3;
+  const auto scene = NewScene(BallOverPlate(), RegressionSide / 2);
+  prepare(*scene);
+  RegressionScene regression = SceneOf(scene);
+  regression.truth = [scene, material]
+  { return scene->TruthOf(material(*scene, Tolerance), Tolerance); };
+  return regression;
+}
+
+void AmbientOcclusion(MapperScene& scene)
+{
+  DirectionalLight(scene);
+  scene.mapper->SetAmbientOcclusion(0.5);
+}
+
+void SoftShadows(MapperScene& scene)
+{
+  ShadeIn(scene,
+    [](vtkRenderer* renderer)
+    {
+      AddLight(renderer, { 2.0, -1.0, 2.0 }, glm::dvec3(0.0))
+        ->GetInformation()
+        ->Set(vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), 20.0);
+    });
+  scene.mapper->ShadowsOn();
+}
+
 void Damping(MapperScene& scene)
 {
   scene.volume->GetProperty()->ShadeOn();
@@ -190,6 +254,8 @@ std::vector<RegressionCase> LightCases()
     { "Shadows", [] { return InShadows(DirectionalLight); } },
     { "ShadowsOfALamp", [] { return InShadows(PositionalLight); } },
     { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); } },
+    { "SoftShadows", [] { return OfBallOverPlate(SoftShadows, MaterialInOwnShadows); } },
+    { "AmbientOcclusion", [] { return OfBallOverPlate(AmbientOcclusion, OccludedMaterial); } },
     MaterialCase("Scattering", ScatteringMatter, MaterialInLights),
     MaterialCase("Damping", Damping, DampedMaterial),
     MaterialCase("GradientOpacity", GradientOpacity, MixtureOf),
