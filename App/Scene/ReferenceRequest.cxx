@@ -248,6 +248,11 @@ ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, do
     ViewOf(scene, pipeline.Renderer(), geometry), tolerance };
 }
 
+ReferenceIntegrator IntegratorOf(const ReferenceRequest& request)
+{
+  return ReferenceIntegrator(SceneOf(request), request.tolerance);
+}
+
 std::optional<ReferencePicture> PictureOf(const std::optional<ReferenceImage>& drawn)
 {
   if (!drawn)
@@ -265,8 +270,7 @@ std::optional<ReferencePicture> PictureOf(const std::optional<ReferenceImage>& d
 std::optional<ReferencePicture> DrawReferencePicture(
   const ReferenceRequest& request, const ProgressFunction& progress)
 {
-  const ReferenceIntegrator integrator(SceneOf(request), request.tolerance);
-  return PictureOf(DrawReference(integrator, request.view, progress));
+  return PictureOf(DrawReference(IntegratorOf(request), request.view, progress));
 }
 
 }

@@ -2,6 +2,7 @@
 #define Varimarch_Scene_ReferenceRequest_h
 
 #include "Core/Reference/ReferenceImage.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 #include "Frame/VolumeGeometry.h"
 #include "Scene/ReferenceCuts.h"
 #include "Scene/ReferenceLighting.h"
@@ -40,6 +41,9 @@ struct ReferenceRequest
 ///         the parts of scenes that the reference does not draw: labels, a first distance, and
 ///         nearest or cubic interpolation except in composites
 ReferenceRequest ReferenceRequestFor(const Scene& scene, vtkImageData* image, double tolerance);
+
+/// The integrator that draws a request, which must outlive it.
+ReferenceIntegrator IntegratorOf(const ReferenceRequest& request);
 
 /// The image as VTK's data; nothing if there is none.
 std::optional<ReferencePicture> PictureOf(const std::optional<ReferenceImage>& drawn);
