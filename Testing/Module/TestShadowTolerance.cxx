@@ -5,6 +5,7 @@
 #include "Module/UsualSettings.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkDataArray.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkPlane.h>
