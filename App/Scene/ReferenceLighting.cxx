@@ -59,6 +59,14 @@ double DistanceMm(const PlacedLight& light, const LitPoint& point)
                                              : std::numeric_limits<double>::infinity();
 }
 
+// The unit vector half way between two others; 0 if they are opposite.
+glm::dvec3 HalfWay(glm::dvec3 one, glm::dvec3 other)
+{
+  const glm::dvec3 sum = one + other;
+  const double length = glm::length(sum);
+  return length > 0.0 ? sum / length : glm::dvec3(0.0);
+}
+
 // The mean over the directions that a light comes from.
 double Arriving(
   const PlacedLight& light, glm::dvec3 towards, double farMm, const LightReaching& reaching)
@@ -117,7 +125,7 @@ glm::dvec3 ReferenceLighting::Lit(const LitPoint& point, const LightReaching& re
       (1.0 - this->scatteredPart) * undamped * (this->dimsSurfaces ? arriving : 1.0);
     const double scattered = this->scatteredPart * arriving *
       HenyeyGreenstein(-glm::dot(towards, point.toEye), this->anisotropy);
-    const double shining = cosine > 0.0 ? facing(glm::normalize(towards + point.toEye)) : 0.0;
+    const double shining = cosine > 0.0 ? facing(HalfWay(towards, point.toEye)) : 0.0;
     diffuse += (onSurfaces * cosine + scattered) * light.rgb;
     specular += onSurfaces * std::pow(shining, this->shading.specularPower) * light.rgb;
   }

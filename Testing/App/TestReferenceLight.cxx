@@ -148,7 +148,7 @@ TEST(ReferenceLight, ScatteredThroughASlabHasItsClosedForm)
 }
 
 // The light at a depth then depends on the optical depth alone, however matter is distributed.
-TEST(ReferenceLight, AlongTheViewDependsOnOpticalDepthAlone)
+TEST(ReferenceLight, AlongAndAgainstTheViewDependsOnOpticalDepthAlone)
 {
   ScatteringSlab ramp{ 0.4 };
   ramp.bottomValue = 0.0f;
@@ -157,6 +157,8 @@ TEST(ReferenceLight, AlongTheViewDependsOnOpticalDepthAlone)
     ThicknessMm / ramp.opacity * ((1.0 - ramp.opacity) * std::log1p(-ramp.opacity) + ramp.opacity);
   EXPECT_NEAR(ramp.DrawnRed(1.0, 1.0), ramp.ColorOf(-1.0) * 0.5 * (1.0 - std::exp(-2.0 * depth)),
     ClosedFormError);
+  EXPECT_NEAR(
+    ramp.DrawnRed(-1.0, 1.0), ramp.ColorOf(1.0) * depth * std::exp(-depth), ClosedFormError);
 }
 
 TEST(ReferenceLight, IsDimmedWithinItsReachOnly)
