@@ -352,6 +352,15 @@ public:
   vtkBooleanMacro(Shadows, vtkTypeBool);
   ///@}
 
+  ///@{
+  /**
+   * Strength of Shadows, [0, 1]: the part of what matter takes from a light that surfaces lack. At
+   * 0 there are no shadows. Scattered light is dimmed by all of it. Default: 1.
+   */
+  vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
+  vtkGetMacro(ShadowStrength, double);
+  ///@}
+
   /**
    * Softness of a light, a key of vtkLight::GetInformation() [degrees, 0 to 90]: half the angle of
    * the cone that it comes from. Its shadows are the mean over twelve directions in that cone
@@ -755,6 +764,7 @@ protected:
   char* Transfer2DYAxisArray = nullptr;
   double DampingGradient = 0.0;
   vtkTypeBool Shadows = 0;
+  double ShadowStrength = 1.0;
   double VolumetricScatteringBlending = 0.0;
   double GlobalIlluminationReach = 0.0;
   double ScatteringAnisotropy = 0.0;

@@ -31,6 +31,7 @@ void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CompositingOrder: " << this->CompositingOrder << "\n";
   os << indent << "DampingGradient: " << this->DampingGradient << "\n";
   os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
+  os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
   os << indent << "VolumetricScatteringBlending: " << this->VolumetricScatteringBlending << "\n";
   os << indent << "GlobalIlluminationReach: " << this->GlobalIlluminationReach << "\n";
   os << indent << "ScatteringAnisotropy: " << this->ScatteringAnisotropy << "\n";

@@ -88,9 +88,16 @@ void AddLightOptions(CLI::App& command, SceneArguments& arguments)
     ->group(Group);
   command
     .add_flag_callback(
-      "--shadows", [&] { arguments.shadows = true; },
+      "--shadows", [&] { arguments.shadows = 1.0; },
       "Let the volume cast shadows, from lights that are not at the eye; takes about\n"
       "three times as long")
+    ->group(Group);
+  command
+    .add_option("--shadow-strength", arguments.shadows,
+      "Strength of these shadows, 0 (none) to 1 (no light of a lamp is left where none\n"
+      "arrives; the default with --shadows)")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("S")
     ->group(Group);
   command
     .add_option("--damping", arguments.dampingGradient,

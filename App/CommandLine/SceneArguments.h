@@ -29,7 +29,7 @@ struct SceneArguments
   std::vector<SceneLight> lights;        ///< empty: those of the scene
   std::optional<double> softnessDegrees; ///< softness of all of these lights, [0, 60]
   bool presetLight = false;              ///< the scene takes the light that suits its preset
-  std::optional<bool> shadows;
+  std::optional<double> shadows;         ///< their strength, [0, 1]
   std::optional<double> scattering;      ///< blending of scattered light, [0, 2]
   std::optional<double> anisotropy;      ///< [-0.99, 0.99]
   std::optional<double> scatteringReach; ///< [0, 1]

@@ -105,11 +105,16 @@ int JsonCursor::Integer(int smallest, int largest) const
 
 bool JsonCursor::Boolean() const
 {
-  if (!this->value.is_boolean())
+  if (!this->IsBoolean())
   {
     this->FailExpecting("true or false");
   }
   return this->value.get<bool>();
+}
+
+bool JsonCursor::IsBoolean() const
+{
+  return this->value.is_boolean();
 }
 
 bool JsonCursor::IsText() const

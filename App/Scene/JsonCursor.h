@@ -41,6 +41,7 @@ public:
   double Number(const NumberRange& range = {}) const;
   int Integer(int smallest, int largest) const;
   bool Boolean() const;
+  bool IsBoolean() const;
   std::string Text() const;
   bool IsText() const;
 

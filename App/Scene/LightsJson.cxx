@@ -95,6 +95,12 @@ nlohmann::ordered_json JsonFromLights(const std::vector<SceneLight>& lights)
   return json;
 }
 
+// Whether there are shadows, or their strength.
+double ShadowsFromJson(const JsonCursor& json)
+{
+  return json.IsBoolean() ? double(json.Boolean()) : json.Number(UnitInterval);
+}
+
 Scattering ScatteringFromJson(const JsonCursor& json)
 {
   Scattering scattering;
@@ -139,7 +145,7 @@ Lighting LightingFromJson(const JsonCursor& json)
   }
   if (const auto shadows = json.Find("shadows"))
   {
-    lighting.shadows = shadows->Boolean();
+    lighting.shadows = ShadowsFromJson(*shadows);
   }
   if (const auto scattering = json.Find("scattering"))
   {
@@ -158,9 +164,13 @@ void AddLighting(const Lighting& lighting, nlohmann::ordered_json& json)
   {
     json["lights"] = JsonFromLights(lighting.lights);
   }
-  if (lighting.shadows)
+  if (lighting.shadows == 1.0)
   {
     json["shadows"] = true;
+  }
+  else if (lighting.shadows > 0.0)
+  {
+    json["shadows"] = lighting.shadows;
   }
   const Scattering& scattering = lighting.scattering;
   if (scattering.blending > 0.0)

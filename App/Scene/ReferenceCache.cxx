@@ -90,7 +90,7 @@ void AddLighting(ContentDigest& digest, const std::optional<ReferenceLighting>& 
     digest.Add(lighting->shading.specularPower);
     digest.Add(lighting->dampingGradient);
     digest.Add(lighting->castsShadows);
-    digest.Add(lighting->dimsSurfaces);
+    digest.Add(lighting->surfacesInShadow);
     digest.Add(lighting->reachMm);
     digest.Add(lighting->scatteredPart);
     digest.Add(lighting->anisotropy);

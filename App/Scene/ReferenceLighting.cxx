@@ -122,7 +122,7 @@ glm::dvec3 ReferenceLighting::Lit(const LitPoint& point, const LightReaching& re
     const double arriving =
       isDimmed ? Arriving(light, towards, DistanceMm(light, point), reaching) : 1.0;
     const double onSurfaces =
-      (1.0 - this->scatteredPart) * undamped * (this->dimsSurfaces ? arriving : 1.0);
+      (1.0 - this->scatteredPart) * undamped * (1.0 - this->surfacesInShadow * (1.0 - arriving));
     const double scattered = this->scatteredPart * arriving *
       HenyeyGreenstein(-glm::dot(towards, point.toEye), this->anisotropy);
     const double shining = cosine > 0.0 ? facing(HalfWay(towards, point.toEye)) : 0.0;
@@ -143,8 +143,8 @@ ReferenceLighting ReferenceLightingOf(
   const Scattering scattering = isComposite ? scene.scattering : Scattering();
   const bool dimsScattered = scattering.blending > 0.0 && scattering.reach > 0.0;
   ReferenceLighting lighting{ look.shading, look.dampingGradient, {}, hasHeadLightsOnly,
-    isComposite && (scene.shadows || dimsScattered), scene.shadows,
-    ShadowReachMm(scene.shadows ? 1.0 : scattering.reach, geometry),
+    isComposite && (scene.shadows > 0.0 || dimsScattered), scene.shadows,
+    ShadowReachMm(scene.shadows > 0.0 ? 1.0 : scattering.reach, geometry),
     std::min(scattering.blending, 1.0), scattering.anisotropy };
   const glm::dmat3 worldFromView = WorldFromView(camera);
   for (const SceneLight& light : lights.empty() ? std::vector<SceneLight>(1) : lights)

@@ -46,8 +46,9 @@ struct ReferenceLighting
   std::vector<PlacedLight> lights;
   bool lightsBacks;  ///< true if both sides of a surface are lit
   bool castsShadows; ///< true if the volume dims lights that are not at the eye
-  bool dimsSurfaces; ///< false if it dims only the light that matter scatters
-  double reachMm;    ///< distance beyond which it does not dim
+  /// The part of that which surfaces lack, [0, 1]; the light that matter scatters lacks all of it.
+  double surfacesInShadow;
+  double reachMm; ///< distance beyond which it does not dim
   /// The part of the light that matter scatters, [0, 1]; surfaces reflect the rest.
   double scatteredPart;
   double anisotropy; ///< see HenyeyGreenstein

@@ -341,7 +341,7 @@ struct Occlusion
 struct Lighting
 {
   std::vector<SceneLight> lights = {};
-  bool shadows = false;
+  double shadows = 0.0;
   Scattering scattering = {};
   Occlusion occlusion = {};
 };
@@ -362,8 +362,9 @@ struct Scene
   VolumeSource volume;
   Look look;
   std::vector<SceneLight> lights; ///< empty: a white light at the eye
-  /// True if the volume casts shadows on itself: vtkVariationFieldVolumeMapper::Shadows.
-  bool shadows = false;
+  /// Strength of the shadows that the volume casts on itself, [0, 1]; 0: none. See
+  /// vtkVariationFieldVolumeMapper::ShadowStrength.
+  double shadows = 0.0;
   Scattering scattering;
   Occlusion occlusion;
   Camera camera;

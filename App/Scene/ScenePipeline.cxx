@@ -153,7 +153,8 @@ void ScenePipeline::ApplyLight()
   if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
   {
     const bool isAlone = !this->overlays.Any();
-    ours->SetShadows(isAlone && this->lighting.shadows);
+    ours->SetShadows(isAlone && this->lighting.shadows > 0.0);
+    ours->SetShadowStrength(this->lighting.shadows);
     ours->SetVolumetricScatteringBlending(isAlone ? this->lighting.scattering.blending : 0.0);
     ours->SetGlobalIlluminationReach(this->lighting.scattering.reach);
     ours->SetScatteringAnisotropy(this->lighting.scattering.anisotropy);

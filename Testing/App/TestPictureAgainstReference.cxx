@@ -155,7 +155,14 @@ const std::vector<ReferencePart> ReferenceParts = {
     {
       s.lights = { CameraLight(-50.0, 35.0),
         { LightKind::Positional, {}, { 30.0, -50.0, 40.0 }, { 0.3, 0.5, 1.0 }, 0.6 } };
-      s.shadows = true;
+      s.shadows = 1.0;
+    },
+    0.2 },
+  { "half of the shadows",
+    [](Scene& s)
+    {
+      s.lights = { CameraLight(-50.0, 35.0) };
+      s.shadows = 0.5;
     },
     0.2 },
   { "two lights at the eye",

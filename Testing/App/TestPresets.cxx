@@ -41,7 +41,7 @@ TEST(Presets, ShadedOnesSayTheLightThatSuitsThem)
     EXPECT_EQ(preset.light.has_value(), preset.look.shading.enabled) << name;
     if (preset.light)
     {
-      EXPECT_TRUE(preset.light->shadows) << name;
+      EXPECT_EQ(preset.light->shadows, 1.0) << name;
       EXPECT_EQ(preset.light->lights.size(), 2u) << name << ": a key and a fill light";
       EXPECT_GT(preset.light->lights[0].intensity, preset.light->lights[1].intensity) << name;
       const Preset again = PresetFromText(PresetText(preset), "test");

@@ -130,7 +130,8 @@ TEST_F(ReferenceCacheTest, EveryPartOfALookComputesAnother)
     { "damping", [](Scene& s) { s.look.dampingGradient = 0.5; } },
     { "lights", [](Scene& s) { s.lights[0].rgb[1] = 0.5; } },
     { "softness", [](Scene& s) { s.lights[0].softnessDegrees = 5.0; } },
-    { "shadows", [](Scene& s) { s.shadows = true; } },
+    { "shadows", [](Scene& s) { s.shadows = 1.0; } },
+    { "strength of shadows", [](Scene& s) { s.shadows = 0.5; } },
     { "scattering", [](Scene& s) { s.scattering.blending = 0.5; } },
     { "anisotropy",
       [](Scene& s) {

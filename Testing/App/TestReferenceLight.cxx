@@ -25,8 +25,8 @@ constexpr double MatterRed = 0.9;
 constexpr double MatterDiffuse = 0.7;
 
 // A slab with faces at z = 0 and z = ThicknessMm, so wide that no light comes through its sides.
-// @param bottomValue  values change linearly from this to 1 at the upper face
-vtkSmartPointer<vtkImageData> WideSlab(float bottomValue)
+// Values change linearly from one face to the other.
+vtkSmartPointer<vtkImageData> WideSlab(float bottomValue, float topValue)
 {
   constexpr int Side = 3;
   constexpr int Layers = 5;
@@ -40,7 +40,7 @@ vtkSmartPointer<vtkImageData> WideSlab(float bottomValue)
   for (int z = 0; z < Layers; ++z)
   {
     const float upwards = float(z) / (Layers - 1);
-    voxel = std::fill_n(voxel, Side * Side, bottomValue + upwards * (1.0f - bottomValue));
+    voxel = std::fill_n(voxel, Side * Side, bottomValue + upwards * (topValue - bottomValue));
   }
   return image;
 }
@@ -51,14 +51,17 @@ std::array<double, 3> Upward(double cosine)
   return { std::sqrt(1.0 - cosine * cosine), 0.0, cosine };
 }
 
-/// A slab of matter that scatters all light of one lamp.
+/// A slab of matter that scatters all light of one lamp, unless told otherwise.
 struct ScatteringSlab
 {
   double opacity; ///< over a millimetre, where the value is 1
   float bottomValue = 1.0f;
+  float topValue = 1.0f;
   double anisotropy = 0.0;
   double softnessDegrees = 0.0;
-  double reach = 1.0; ///< see Scattering
+  double reach = 1.0;   ///< see Scattering
+  double shadows = 0.0; ///< their strength
+  bool scatters = true;
   double drawnReachMm = 0.0;
 
   double Extinction() const { return -std::log1p(-this->opacity); }
@@ -73,7 +76,7 @@ struct ScatteringSlab
   /// @param light, eye  cosines of the directions to them with the upper face's normal
   double DrawnRed(double light, double eye)
   {
-    const auto image = WideSlab(this->bottomValue);
+    const auto image = WideSlab(this->bottomValue, this->topValue);
     const ReferenceRequest request = ReferenceRequestFor(this->SceneIn(light), image, 1e-10);
     this->drawnReachMm = request.lighting->reachMm;
     const auto [x, y, z] = Upward(eye);
@@ -98,7 +101,8 @@ private:
     lamp.direction = Upward(light);
     lamp.softnessDegrees = this->softnessDegrees;
     scene.lights = { lamp };
-    scene.scattering = { 1.0, this->anisotropy, this->reach };
+    scene.shadows = this->shadows;
+    scene.scattering = { this->scatters ? 1.0 : 0.0, this->anisotropy, this->reach };
     return scene;
   }
 };
@@ -175,6 +179,23 @@ TEST(ReferenceLight, IsDimmedWithinItsReachOnly)
   const double below = std::exp(-extinction * slab.drawnReachMm) *
     (std::exp(-extinction * edgeMm) - std::exp(-extinction * ThicknessMm));
   EXPECT_NEAR(drawn, slab.ColorOf(TurnedCosine(Light, 1.0)) * (above + below), ClosedFormError);
+}
+
+TEST(ReferenceLight, OnSurfacesLacksTheStrengthOfItsShadows)
+{
+  for (const double strength : { 0.3, 1.0 })
+  {
+    ScatteringSlab surface{ 0.4 };
+    surface.topValue = 0.0f; // values fall towards lamp and eye
+    surface.scatters = false;
+    surface.shadows = strength;
+    const double depth = ThicknessMm / surface.opacity *
+      ((1.0 - surface.opacity) * std::log1p(-surface.opacity) + surface.opacity);
+    const double part =
+      (1.0 - strength) * (1.0 - std::exp(-depth)) + strength * 0.5 * (1.0 - std::exp(-2.0 * depth));
+    EXPECT_NEAR(surface.DrawnRed(1.0, 1.0), MatterRed * MatterDiffuse * part, ClosedFormError)
+      << strength;
+  }
 }
 
 // The rule of 12 directions errs by the fourth power of the cone's height.

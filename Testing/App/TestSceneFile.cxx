@@ -60,7 +60,7 @@ Scene UnusualScene()
   scene.lights = { { LightKind::Camera, { 1.0, 2.0, 3.0 }, {}, { 0.25, 0.5, 1.0 }, 2.5 },
     { LightKind::Directional, { 0.0, -1.0, 0.5 }, {}, { 1.0, 1.0, 1.0 }, 1.0, 7.5 },
     { LightKind::Positional, SceneLight().direction, { 4.0, 5.0, 6.0 } }, SceneLight() };
-  scene.shadows = true;
+  scene.shadows = 0.6;
   scene.scattering = { 0.75, -0.25, 0.5 };
   scene.occlusion = { 0.25, 12.5 };
   scene.cuts = { { 0.1, 0.9, 0.0, 0.5, 0.25, 1.0 }, { { { 1.0, 2.0, 3.0 }, { 0.0, -1.0, 0.0 } } },
@@ -150,10 +150,13 @@ TEST(SceneFile, KeepsLightsAndHowTheyReflect)
   EXPECT_EQ(back.lights[1].softnessDegrees, 7.5);
   EXPECT_EQ(back.lights[2].positionMm, scene.lights[2].positionMm);
   EXPECT_EQ(back.lights[3].kind, LightKind::Head);
-  EXPECT_TRUE(back.shadows);
-  Scene unshadowed = scene;
-  unshadowed.shadows = false;
-  EXPECT_FALSE(SceneFromText(SceneText(unshadowed), "test").shadows);
+  EXPECT_EQ(back.shadows, 0.6);
+  for (const double shadows : { 0.0, 1.0 })
+  {
+    Scene other = scene;
+    other.shadows = shadows;
+    EXPECT_EQ(SceneFromText(SceneText(other), "test").shadows, shadows);
+  }
   EXPECT_EQ(back.scattering, scene.scattering);
   EXPECT_EQ(back.occlusion, scene.occlusion);
   Scene open = scene;

@@ -65,6 +65,7 @@ def render(folder):
     seen = {pictures["--shade"]}
     for options in (["--light", "70,20"], ["--light", "70,20", "--light", "-50,0"],
                     ["--light", "70,20", "--shadows"], ["--occlusion", "0.5"],
+                    ["--light", "70,20", "--shadow-strength", "0.5"],
                     ["--light", "70,20", "--shadows", "--softness", "25"], ["--preset-light"],
                     ["--scattering", "0.5"], ["--scattering", "0.5", "--anisotropy", "0.4"],
                     ["--light", "70,20", "--scattering", "1", "--scattering-reach", "0.5"],
@@ -74,7 +75,7 @@ def render(folder):
                     ["--error-tolerance", "0", "--early-termination", "0.5", "--jitter"]):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", *options)
         seen.add((folder / "a.png").read_bytes())
-    assert len(seen) == 17, "an option changes nothing"
+    assert len(seen) == 18, "an option changes nothing"
     _, message = run("render", VOLUME, "-o", folder / "a.png", "--clipping-range", "9,3", expect=2)
     assert "--clipping-range: expected the nearer distance first" in message, message
     _, message = run("render", "procedural:marschner-lobb:16x16x16", "-o", folder / "a.png", "--body-only",

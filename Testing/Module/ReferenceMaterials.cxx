@@ -131,16 +131,16 @@ glm::dvec3 LightFrom(
     isNear ? glm::length(point.positionWorld - position) : std::numeric_limits<double>::infinity();
   const double part = reaching ? MeanReaching(light, point, toLight, farMm, reaching) : 1.0;
   const double shining = std::abs(glm::dot(point.normal, glm::normalize(toLight + point.toEye)));
+  const double onSurfaces = 1.0 - scene.mapper->GetShadowStrength() * (1.0 - part);
   const double scattered = std::min(scene.mapper->GetVolumetricScatteringBlending(), 1.0);
   const double phase =
     HenyeyGreenstein(-glm::dot(toLight, point.toEye), scene.mapper->GetScatteringAnisotropy());
   const double diffuse =
-    (1.0 - scattered) * std::abs(glm::dot(point.normal, toLight)) + scattered * phase;
-  return part *
-    (property->GetDiffuse() * diffuse * point.rgb * glm::make_vec3(light->GetDiffuseColor()) +
-      (1.0 - scattered) * property->GetSpecular() *
-        std::pow(shining, property->GetSpecularPower()) *
-        glm::make_vec3(light->GetSpecularColor()));
+    onSurfaces * (1.0 - scattered) * std::abs(glm::dot(point.normal, toLight)) +
+    part * scattered * phase;
+  return property->GetDiffuse() * diffuse * point.rgb * glm::make_vec3(light->GetDiffuseColor()) +
+    onSurfaces * (1.0 - scattered) * property->GetSpecular() *
+    std::pow(shining, property->GetSpecularPower()) * glm::make_vec3(light->GetSpecularColor());
 }
 
 }

@@ -26,7 +26,7 @@ struct Scattered
   double blending;
   double anisotropy;
   double reach;
-  bool shadows;
+  double shadows; ///< their strength
 };
 
 void LightSlab(SlabScene& scene, const Scattered& light)
@@ -44,7 +44,8 @@ void LightSlab(SlabScene& scene, const Scattered& light)
   scene.mapper->SetVolumetricScatteringBlending(light.blending);
   scene.mapper->SetScatteringAnisotropy(light.anisotropy);
   scene.mapper->SetGlobalIlluminationReach(light.reach);
-  scene.mapper->SetShadows(light.shadows);
+  scene.mapper->SetShadows(light.shadows > 0.0);
+  scene.mapper->SetShadowStrength(light.shadows);
 }
 
 // The slab as both marchers draw it.
@@ -74,17 +75,19 @@ double ExpectedRed(const Scattered& light)
 {
   const double part = std::min(light.blending, 1.0);
   const double scattered =
-    part * Phase(light.anisotropy) * PartOfSlab(light.shadows || light.reach == 1.0);
-  return SlabRed * (scattered + (1.0 - part) * LightCosine * PartOfSlab(light.shadows));
+    part * Phase(light.anisotropy) * PartOfSlab(light.shadows > 0.0 || light.reach == 1.0);
+  const double onSurfaces =
+    (1.0 - light.shadows) * PartOfSlab(false) + light.shadows * PartOfSlab(true);
+  return SlabRed * (scattered + (1.0 - part) * LightCosine * onSurfaces);
 }
 
 }
 
 TEST(Scattering, OfAHomogeneousSlabHasItsClosedForm)
 {
-  for (const Scattered& light : { Scattered{ 1.0, 0.0, 0.0, false },
-         Scattered{ 1.0, 0.5, 1.0, false }, Scattered{ 0.4, -0.3, 1.0, false },
-         Scattered{ 0.4, -0.3, 0.0, true }, Scattered{ 2.0, -0.6, 1.0, false } })
+  for (const Scattered& light : { Scattered{ 1.0, 0.0, 0.0, 0.0 }, Scattered{ 1.0, 0.5, 1.0, 0.0 },
+         Scattered{ 0.4, -0.3, 1.0, 0.0 }, Scattered{ 0.4, -0.3, 0.0, 1.0 },
+         Scattered{ 0.4, -0.3, 0.0, 0.5 }, Scattered{ 2.0, -0.6, 1.0, 0.0 } })
   {
     EXPECT_NEAR(DrawnRed(light), ExpectedRed(light), HalfByteStep)
       << light.blending << ", " << light.anisotropy << ", " << light.reach << ", " << light.shadows;
@@ -93,7 +96,7 @@ TEST(Scattering, OfAHomogeneousSlabHasItsClosedForm)
 
 TEST(Scattering, KeepsAnErrorTolerance)
 {
-  const Scattered light{ 0.7, 0.4, 1.0, false };
+  const Scattered light{ 0.7, 0.4, 1.0, 0.0 };
   EXPECT_NEAR(DrawnRed(light, 1.0 / 64.0), ExpectedRed(light), 1.0 / 64.0);
 }
 
@@ -103,7 +106,7 @@ TEST(Scattering, IsDimmedWithinItsReachOnly)
   double last = SlabRed;
   for (const double reach : { 0.0, 0.02, 0.1, 1.0 })
   {
-    const double red = DrawnRed({ 1.0, 0.0, reach, false });
+    const double red = DrawnRed({ 1.0, 0.0, reach, 0.0 });
     EXPECT_LT(red, last - 0.02) << reach;
     last = red;
   }
@@ -127,14 +130,14 @@ TEST(Scattering, OfALightAtTheEyeComesBack)
 TEST(Scattering, TakesNoShaderWhereItIsOff)
 {
   SlabScene scene(SlabOpacity, SlabRed);
-  LightSlab(scene, { 0.0, 0.5, 1.0, false });
+  LightSlab(scene, { 0.0, 0.5, 1.0, 0.0 });
   const std::vector<float> drawn = scene.Draw();
   EXPECT_TRUE(scene.UsesShaderPart("Scatter/None.glsl"));
   EXPECT_TRUE(scene.UsesShaderPart("Reach/None.glsl"));
   const vtkIdType bytes = scene.mapper->GetGraphicsMemoryBytes();
-  LightSlab(scene, { 0.0, 0.0, 0.0, false });
+  LightSlab(scene, { 0.0, 0.0, 0.0, 0.0 });
   EXPECT_EQ(scene.Draw(), drawn) << "anisotropy and reach are those of scattered light";
-  LightSlab(scene, { 1.0, 0.5, 1.0, false });
+  LightSlab(scene, { 1.0, 0.5, 1.0, 0.0 });
   scene.Draw();
   EXPECT_TRUE(scene.UsesShaderPart("Scatter/HenyeyGreenstein.glsl"));
   EXPECT_TRUE(scene.UsesShaderPart("Reach/ShadowRays.glsl"));
@@ -151,7 +154,7 @@ TEST(Scattering, KeepsNoLatticeWhereNothingDimsIt)
     scene.DrawByProcessor();
     return scene.mapper->GetLightMemoryBytes();
   };
-  EXPECT_GT(latticeBytes({ 1.0, 0.5, 1.0, false }), 0);
-  EXPECT_EQ(latticeBytes({ 1.0, 0.5, 0.0, false }), 0);
-  EXPECT_EQ(latticeBytes({ 0.0, 0.5, 1.0, false }), 0);
+  EXPECT_GT(latticeBytes({ 1.0, 0.5, 1.0, 0.0 }), 0);
+  EXPECT_EQ(latticeBytes({ 1.0, 0.5, 0.0, 0.0 }), 0);
+  EXPECT_EQ(latticeBytes({ 0.0, 0.5, 1.0, 0.0 }), 0);
 }

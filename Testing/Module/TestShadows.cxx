@@ -77,6 +77,36 @@ TEST(Shadows, OfAHomogeneousSlabHaveTheirClosedForm)
   }
 }
 
+TEST(Shadows, AreAsStrongAsTheyAreAskedFor)
+{
+  constexpr double Opacity = 0.3;
+  constexpr double Cosine = 0.6;
+  const double unshadowed = Red * Cosine * (1.0 - std::pow(1.0 - Opacity, SlabMm));
+  for (const double strength : { 0.0, 0.4, 1.0 })
+  {
+    Slab slab(Opacity);
+    slab.AddLight({ 80.0, 0.0, 100.0 * Cosine });
+    slab.scene.mapper->SetShadowStrength(strength);
+    EXPECT_NEAR(slab.DrawnRed(),
+      (1.0 - strength) * unshadowed + strength * RedOfSlab(Opacity, Cosine), HalfByteStep)
+      << strength;
+  }
+}
+
+TEST(Shadows, WithoutStrengthTakeNothing)
+{
+  Slab slab(0.1);
+  slab.AddLight({ 80.0, 0.0, 60.0 });
+  slab.scene.mapper->SetErrorTolerance(1.0 / 64.0); // without one there is no lattice
+  slab.scene.DrawByProcessor();
+  EXPECT_GT(slab.scene.mapper->GetLightMemoryBytes(), 0);
+  slab.scene.mapper->SetShadowStrength(0.0);
+  slab.scene.DrawByProcessor();
+  EXPECT_EQ(slab.scene.mapper->GetLightMemoryBytes(), 0);
+  slab.scene.Draw();
+  EXPECT_TRUE(slab.scene.UsesShaderPart("Reach/None.glsl"));
+}
+
 TEST(Shadows, OfASoftLightAreTheMeanOverItsCone)
 {
   constexpr double SoftnessDegrees = 25.0;

@@ -128,6 +128,7 @@ def lights_and_quality_change_the_picture(_folder):
         {},
         {"lights": [upper_right]},
         {"lights": [upper_right], "shadows": True},
+        {"lights": [upper_right], "shadows": 0.5},
         {"lights": [{**upper_right, "softness": 20}], "shadows": True},
         {"scattering": 0.5},
         {"scattering": 0.5, "anisotropy": 0.4},

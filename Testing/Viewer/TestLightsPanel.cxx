@@ -6,7 +6,6 @@
 #include "SmallStudy.h"
 #include "Viewer/Panels/LightsPanel.h"
 
-#include <QCheckBox>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QListWidget>
@@ -135,14 +134,13 @@ TEST_F(LightsOfAModel, TheSelectedLightIsRemoved)
 
 TEST_F(LightsOfAModel, ShadowsAreAStepThatIsUndone)
 {
-  auto* const shadows = this->Find<QCheckBox>("shadows");
-  EXPECT_FALSE(shadows->isChecked());
-  QTest::mouseClick(shadows, Qt::LeftButton, {}, QPoint(8, shadows->height() / 2));
-  EXPECT_TRUE(this->model.CurrentScene().shadows);
+  EXPECT_EQ(this->Digits("shadows")->value(), 0.0);
+  this->Digits("shadows")->setValue(0.6);
+  EXPECT_EQ(this->model.CurrentScene().shadows, 0.6);
   EXPECT_TRUE(this->Lights().empty()) << "lights stay";
   this->model.History()->undo();
-  EXPECT_FALSE(this->model.CurrentScene().shadows);
-  EXPECT_FALSE(shadows->isChecked());
+  EXPECT_EQ(this->model.CurrentScene().shadows, 0.0);
+  EXPECT_EQ(this->Digits("shadows")->value(), 0.0);
 }
 
 TEST_F(LightsOfAModel, SoftnessIsThatOfALightThatIsNotAtTheEye)
@@ -167,7 +165,7 @@ TEST_F(LightsOfAModel, TheLightOfThePresetReplacesAllAndIsUndone)
   ASSERT_TRUE(suited->isEnabled());
   suited->click();
   EXPECT_EQ(this->model.CurrentScene().lights.size(), 2u);
-  EXPECT_TRUE(this->model.CurrentScene().shadows);
+  EXPECT_EQ(this->model.CurrentScene().shadows, 1.0);
   this->model.History()->undo();
   EXPECT_TRUE(this->model.CurrentScene().lights.empty());
 }

@@ -70,7 +70,7 @@ TEST_F(Sessions, KeepSegmentsThatLookOtherThanInTheirFile)
 
 TEST_F(Sessions, KeepShadows)
 {
-  this->model.Edit(ScenePart::Lights, "shadows", [](Scene& scene) { scene.shadows = true; });
+  this->model.Edit(ScenePart::Lights, "shadows", [](Scene& scene) { scene.shadows = 1.0; });
   EXPECT_TRUE(
     WorkText(this->model.CurrentScene(), *this->model.CurrentStudy()).contains("shadows"));
 }

@@ -45,7 +45,9 @@ struct MaterialRequest
   double dampingGradient = 0.0;
   double scatteredPart = 0.0;   ///< The part of the light that matter scatters, [0, 1].
   double anisotropy = 0.0;      ///< The mean cosine of the angle by which it turns light.
-  bool surfacesInShadow = true; ///< False if only scattered light is dimmed.
+  /// The part of what matter takes from a light that surfaces lack, [0, 1]; scattered light lacks
+  /// all of it.
+  double surfacesInShadow = 1.0;
   double shadowReachMm = 0.0;   ///< The distance beyond which matter casts no shadow.
   double occlusion = 0.0;       ///< The strength of ambient occlusion, [0, 1].
   double occlusionReachMm = 0.0;
@@ -58,7 +60,7 @@ struct MaterialRequest
   std::vector<double> Numbers() const
   {
     return { this->labelBlend, this->dampingGradient, this->scatteredPart, this->anisotropy,
-      double(this->surfacesInShadow), this->shadowReachMm, this->occlusion, this->occlusionReachMm,
+      this->surfacesInShadow, this->shadowReachMm, this->occlusion, this->occlusionReachMm,
       this->averagedRange[0], this->averagedRange[1], this->gapOptical.r, this->gapOptical.g,
       this->gapOptical.b, this->gapOptical.a };
   }

@@ -136,8 +136,9 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
     mapper->GetVolumetricScatteringBlending() > 0.0;
   settings.lights = settings.shading && (settings.scattering || !HasHeadLightOnly(renderer));
   const bool dimsScattered = settings.scattering && mapper->GetGlobalIlluminationReach() > 0.0;
-  const bool dims = settings.lights && settings.blend == Blend::Composite &&
-    (mapper->GetShadows() != 0 || dimsScattered);
+  const bool hasShadows = mapper->GetShadows() != 0 && mapper->GetShadowStrength() > 0.0;
+  const bool dims =
+    settings.lights && settings.blend == Blend::Composite && (hasShadows || dimsScattered);
   const LightTexels dimmed = dims ? LightTexelsOf(renderer) : LightTexels();
   settings.shadows = dimmed.distantCount + dimmed.nearCount > 0;
   settings.softLights = RaysToLights(dimmed) > dimmed.distantCount + dimmed.nearCount;

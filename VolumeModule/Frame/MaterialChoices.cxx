@@ -128,9 +128,9 @@ void ChooseScattering(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
   constexpr double MostAnisotropy = 0.99; // its phase function still has a density
   MaterialRequest& material = frame.material;
-  material.surfacesInShadow = mapper->GetShadows() != 0;
+  material.surfacesInShadow = mapper->GetShadows() ? mapper->GetShadowStrength() : 0.0;
   material.shadowReachMm = ShadowReachMm(
-    material.surfacesInShadow ? 1.0 : mapper->GetGlobalIlluminationReach(), frame.geometry);
+    material.surfacesInShadow > 0.0 ? 1.0 : mapper->GetGlobalIlluminationReach(), frame.geometry);
   if (frame.settings.scattering)
   {
     material.scatteredPart = std::min(mapper->GetVolumetricScatteringBlending(), 1.0);

@@ -100,7 +100,7 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
     p.ambientLight = AmbientLightOf(march.frame.view.renderer);
     p.scatteredPart = float(march.frame.material.scatteredPart);
     p.anisotropy = float(march.frame.material.anisotropy);
-    p.surfacesInShadow = march.frame.material.surfacesInShadow ? 1.0f : 0.0f;
+    p.surfacesInShadow = float(march.frame.material.surfacesInShadow);
     constexpr double BeyondAll = 3e38;
     p.shadowReachMm = float(std::min(march.frame.material.shadowReachMm, BeyondAll));
     p.backsLit = march.frame.view.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;

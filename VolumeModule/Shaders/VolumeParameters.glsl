@@ -47,7 +47,7 @@ layout(std140) uniform VolumeParameters
   float labelGradient;    // factor of a label's gradient, which makes it one that is not damped
   float scatteredPart;    // part of the light that matter scatters, [0, 1]
   float anisotropy;       // mean cosine of the angle by which it turns light, inside (-1, 1)
-  float surfacesInShadow; // 1: what matter takes from a light is missing on surfaces too, else 0
+  float surfacesInShadow; // part of what matter takes from a light that surfaces lack, [0, 1]
   float shadowReachMm;    // distance beyond which matter casts no shadow [mm]
   vec4 reflectances[4];   // coefficients of ambient, diffuse and specular light, specular power
 

@@ -91,6 +91,8 @@ struct Reach
 Reach ReachAt(Ray ray, float t);
 // The part of one light.
 float Reaching(Reach reach, int light);
+// The part of a light that surfaces receive where this part of it reaches.
+float ReachingSurfaces(float reaching);
 
 // --- Cone: the directions that a light comes from. Only for Reach/ShadowRays.glsl ---
 // The part of a light that reaches a place, as a mean over its directions.

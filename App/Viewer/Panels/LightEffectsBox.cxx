@@ -4,7 +4,6 @@
 #include "Scene/SceneLights.h"
 #include "Viewer/Panels/NumberSlider.h"
 
-#include <QCheckBox>
 #include <QFormLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -34,8 +33,7 @@ LightEffectsBox::LightEffectsBox(SceneModel* model, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   this->MakeSuited();
   column->addWidget(this->suited);
-  this->MakeShadows();
-  column->addWidget(this->shadows);
+  column->addLayout(this->MakeShadows());
   column->addLayout(this->MakeScattering());
   column->addLayout(this->MakeOcclusion());
   connect(model, &SceneModel::Changed, this, &LightEffectsBox::Show);
@@ -56,22 +54,6 @@ void LightEffectsBox::MakeSuited()
     });
 }
 
-void LightEffectsBox::MakeShadows()
-{
-  this->shadows = new QCheckBox(tr("Shadows"));
-  this->shadows->setObjectName("shadows");
-  this->shadows->setToolTip(
-    tr("The volume casts shadows on itself, from lights that are not at the eye. "
-       "An image takes about three times as long."));
-  connect(this->shadows, &QCheckBox::clicked, this,
-    [this](bool isOn)
-    {
-      this->model->Edit(
-        ScenePart::Lights, tr("shadows"), [isOn](Scene& scene) { scene.shadows = isOn; },
-        SceneModel::NoGesture);
-    });
-}
-
 NumberSlider* LightEffectsBox::MakeSlider(const char* name, const std::array<double, 2>& range,
   const QString& step, const std::function<double&(Scene&)>& numberOf)
 {
@@ -84,6 +66,18 @@ NumberSlider* LightEffectsBox::MakeSlider(const char* name, const std::array<dou
         ScenePart::Lights, step, [&](Scene& scene) { numberOf(scene) = number; }, gesture);
     });
   return slider;
+}
+
+QFormLayout* LightEffectsBox::MakeShadows()
+{
+  auto* const rows = new QFormLayout;
+  this->shadows = this->MakeSlider(
+    "shadows", { 0.0, 1.0 }, tr("shadows"), [](Scene& scene) -> double& { return scene.shadows; });
+  this->shadows->setToolTip(
+    tr("How dark the shadows are that the volume casts on itself, from lights that are not at the "
+       "eye; 0 is off. An image takes about three times as long."));
+  rows->addRow(tr("Shadows"), this->shadows);
+  return rows;
 }
 
 QFormLayout* LightEffectsBox::MakeScattering()
@@ -135,7 +129,7 @@ void LightEffectsBox::Show(ScenePart part)
   }
   if (part == ScenePart::Lights || part == ScenePart::Volume)
   {
-    this->shadows->setChecked(scene.shadows);
+    this->shadows->SetNumber(scene.shadows);
     this->scattering->SetNumber(scene.scattering.blending);
     this->anisotropy->SetNumber(scene.scattering.anisotropy);
     this->scatteringReach->SetNumber(scene.scattering.reach);

@@ -8,7 +8,6 @@
 #include <array>
 #include <functional>
 
-class QCheckBox;
 class QFormLayout;
 class QPushButton;
 
@@ -17,7 +16,7 @@ namespace varimarch
 
 class NumberSlider;
 
-/// The effects that matter has on light: whether it casts shadows, how it scatters light, and its
+/// The effects that matter has on light: the shadows that it casts, how it scatters light, and its
 /// ambient occlusion. A button takes the light that suits the preset.
 class LightEffectsBox : public QWidget
 {
@@ -28,17 +27,17 @@ public:
 
 private:
   void MakeSuited();
-  void MakeShadows();
   /// A slider that edits a number of the scene's light.
   NumberSlider* MakeSlider(const char* name, const std::array<double, 2>& range,
     const QString& step, const std::function<double&(Scene&)>& numberOf);
+  QFormLayout* MakeShadows();
   QFormLayout* MakeScattering();
   QFormLayout* MakeOcclusion();
   void Show(ScenePart part);
 
   SceneModel* model;
   QPushButton* suited;
-  QCheckBox* shadows;
+  NumberSlider* shadows;
   NumberSlider* scattering;
   NumberSlider* anisotropy;
   NumberSlider* scatteringReach;

@@ -1768,8 +1768,8 @@ Masken nicht unterstützt</translation>
         <translation>Licht der Vorgabe</translation>
     </message>
     <message>
-        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
-        <translation>Das Volumen wirft Schatten auf sich selbst, von Lichtern, die nicht am Auge sind. Ein Bild dauert etwa dreimal so lange.</translation>
+        <source>How dark the shadows are that the volume casts on itself, from lights that are not at the eye; 0 is off. An image takes about three times as long.</source>
+        <translation>Wie dunkel die Schatten sind, die das Volumen auf sich selbst wirft, von Lichtern, die nicht am Auge sind; 0 ist aus. Ein Bild dauert etwa dreimal so lange.</translation>
     </message>
     <message>
         <source>shadows</source>

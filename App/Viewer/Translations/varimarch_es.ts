@@ -1768,8 +1768,8 @@ no admite máscaras</translation>
         <translation>luz del preajuste</translation>
     </message>
     <message>
-        <source>The volume casts shadows on itself, from lights that are not at the eye. An image takes about three times as long.</source>
-        <translation>El volumen proyecta sombras sobre sí mismo, desde luces que no están en el ojo. Una imagen tarda unas tres veces más.</translation>
+        <source>How dark the shadows are that the volume casts on itself, from lights that are not at the eye; 0 is off. An image takes about three times as long.</source>
+        <translation>Cómo de oscuras son las sombras que el volumen proyecta sobre sí mismo, de luces que no están en el ojo; 0 es apagado. Una imagen tarda unas tres veces más.</translation>
     </message>
     <message>
         <source>shadows</source>

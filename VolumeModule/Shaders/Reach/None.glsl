@@ -9,3 +9,8 @@ float Reaching(Reach reach, int light)
 {
   return 1.0;
 }
+
+float ReachingSurfaces(float reaching)
+{
+  return 1.0;
+}

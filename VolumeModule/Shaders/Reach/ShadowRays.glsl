@@ -144,3 +144,8 @@ float Reaching(Reach reach, int light)
 {
   return light < 4 ? reach.first[light] : light < MostShadows ? reach.second[light - 4] : 1.0;
 }
+
+float ReachingSurfaces(float reaching)
+{
+  return mix(1.0, reaching, surfacesInShadow);
+}

@@ -3,7 +3,7 @@
 
 vec2 SentToEye(vec2 reflected, float litPart, vec3 toLight, vec3 toEye, float reaching)
 {
-  float bySurfaces = (1.0 - scatteredPart) * litPart * mix(1.0, reaching, surfacesInShadow);
+  float bySurfaces = (1.0 - scatteredPart) * litPart * ReachingSurfaces(reaching);
   float phase = HenyeyGreenstein(-dot(toLight, toEye), anisotropy);
   return bySurfaces * reflected + vec2(scatteredPart * phase * reaching, 0.0);
 }

@@ -1,8 +1,8 @@
-// Surfaces reflect all light that arrives.
+// Surfaces reflect all light that they receive.
 
 vec2 SentToEye(vec2 reflected, float litPart, vec3 toLight, vec3 toEye, float reaching)
 {
-  return reaching * reflected;
+  return ReachingSurfaces(reaching) * reflected;
 }
 
 float PartOfSent(float litPart)

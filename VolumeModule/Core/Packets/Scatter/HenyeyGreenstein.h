@@ -22,8 +22,6 @@ public:
   {
   }
 
-  bool SurfacesAreInShadow() const { return this->parameters.surfacesInShadow > 0.0f; }
-
   /// @param litPart  the part of the light that surfaces receive
   Lanes BySurfaces(Lanes litPart) const
   {

@@ -56,14 +56,13 @@ public:
       const Incident light = this->IncidentFrom(i, positionWorld, texel);
       const Lanes2 whole = this->ReflectedFrom(outward, light.towards);
       const Lanes2 reflected{ light.strength * whole.x, light.strength * whole.y };
-      if (i >= apart)
-      {
-        sum.Add(reflected, texel[1], texel[2]);
-        continue;
-      }
       Sum own = { Lanes3(0.0f), Lanes3(0.0f) };
-      own.Add(reflected, texel[1], texel[2]);
-      take(i, LitByAll(color, litPart, this->reflectance, Lanes3(0.0f), own.diffuse, own.specular));
+      this->AddReflected(reflected, texel, i < apart ? &own : nullptr, sum);
+      if (i < apart)
+      {
+        take(
+          i, LitByAll(color, litPart, this->reflectance, Lanes3(0.0f), own.diffuse, own.specular));
+      }
     }
     return LitByAll(color, litPart, this->reflectance, AllOf3(this->parameters.ambientLight),
       sum.diffuse, sum.specular);
@@ -104,7 +103,24 @@ private:
         All(texel[2].w)) };
   }
 
-  // LitApart() with light that matter scatters. If shadows dim only that, surfaces keep theirs.
+  // Adds the light of a lamp on surfaces: to its own sum what may be in shadow, to the others' the
+  // rest.
+  // @param own  null: it casts no shadow
+  void AddReflected(const Lanes2& reflected, const glm::vec4* texel, Sum* own, Sum& sum) const
+  {
+    const float inShadow = own ? this->parameters.surfacesInShadow : 0.0f;
+    if (own)
+    {
+      own->Add({ inShadow * reflected.x, inShadow * reflected.y }, texel[1], texel[2]);
+    }
+    if (inShadow < 1.0f)
+    {
+      const float rest = 1.0f - inShadow;
+      sum.Add({ rest * reflected.x, rest * reflected.y }, texel[1], texel[2]);
+    }
+  }
+
+  // LitApart() with light that matter scatters.
   template <class Take>
   Lanes3 SentApart(const Lanes3& color, const Surface& surface, const Lanes3& positionWorld,
     int apart, Take take) const
@@ -125,9 +141,9 @@ private:
       const Lanes2 reflected = this->ReflectedFrom(outward, light.towards);
       const Lanes part = light.strength * bySurfaces;
       Sum own = { none, none };
-      Sum& ofSurfaces = i < apart && scattered.SurfacesAreInShadow() ? own : sum;
       Sum& ofMatter = i < apart ? own : sum;
-      ofSurfaces.Add({ part * reflected.x, part * reflected.y }, texel[1], texel[2]);
+      this->AddReflected(
+        { part * reflected.x, part * reflected.y }, texel, i < apart ? &own : nullptr, sum);
       ofMatter.Add(
         { light.strength * scattered.ByMatter(light.towards), Lanes{} }, texel[1], texel[2]);
       if (i < apart)
