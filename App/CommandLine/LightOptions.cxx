@@ -56,6 +56,30 @@ void AddOcclusionOptions(CLI::App& command, SceneArguments& arguments)
     ->group(Group);
 }
 
+void AddShadowOptions(CLI::App& command, SceneArguments& arguments)
+{
+  command
+    .add_option("--softness", arguments.softnessDegrees,
+      "Softness of the shadows of all lights that are not at the eye: half the angle of the\n"
+      "cones that they come from, degrees, 0 to 60 (default: the scene's)")
+    ->check(CLI::Range(0.0, 60.0).description(""))
+    ->type_name("DEG")
+    ->group(Group);
+  command
+    .add_flag_callback(
+      "--shadows", [&] { arguments.shadows = 1.0; },
+      "Let the volume cast shadows, from lights that are not at the eye; takes about\n"
+      "three times as long")
+    ->group(Group);
+  command
+    .add_option("--shadow-strength", arguments.shadows,
+      "Strength of these shadows, 0 (none) to 1 (no light of a lamp is left where none\n"
+      "arrives; the default with --shadows)")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("S")
+    ->group(Group);
+}
+
 }
 
 void AddLightOptions(CLI::App& command, SceneArguments& arguments)
@@ -79,26 +103,7 @@ void AddLightOptions(CLI::App& command, SceneArguments& arguments)
     .add_flag("--preset-light", arguments.presetLight,
       "Light the volume in the light that suits its preset; the options of light change it")
     ->group(Group);
-  command
-    .add_option("--softness", arguments.softnessDegrees,
-      "Softness of the shadows of all lights that are not at the eye: half the angle of the\n"
-      "cones that they come from, degrees, 0 to 60 (default: the scene's)")
-    ->check(CLI::Range(0.0, 60.0).description(""))
-    ->type_name("DEG")
-    ->group(Group);
-  command
-    .add_flag_callback(
-      "--shadows", [&] { arguments.shadows = 1.0; },
-      "Let the volume cast shadows, from lights that are not at the eye; takes about\n"
-      "three times as long")
-    ->group(Group);
-  command
-    .add_option("--shadow-strength", arguments.shadows,
-      "Strength of these shadows, 0 (none) to 1 (no light of a lamp is left where none\n"
-      "arrives; the default with --shadows)")
-    ->check(CLI::Range(0.0, 1.0).description(""))
-    ->type_name("S")
-    ->group(Group);
+  AddShadowOptions(command, arguments);
   command
     .add_option("--damping", arguments.dampingGradient,
       "Gradient below which shading weakens, in units of the look's values per mm")

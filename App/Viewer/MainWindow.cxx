@@ -8,7 +8,6 @@
 #include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/FusionBar.h"
-#include "Viewer/Panels/KeyImagesBox.h"
 #include "Viewer/Panels/LightsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"
@@ -204,18 +203,7 @@ void MainWindow::MakeFileMenu()
   this->MakeArchiveActions(file);
   file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
   file->addSeparator();
-  file->addAction(tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"))
-    ->setObjectName("exportImage");
-  file->addAction(tr("Send the i&mage to an archive…"), this, &MainWindow::SendPicture)
-    ->setObjectName("sendImage");
-  file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
-  QAction* const movie = file->addAction(tr("Export the ti&mes…"), this, &MainWindow::ExportTimes);
-  movie->setObjectName("exportTimes");
-  movie->setEnabled(false);
-  connect(&this->model, &SceneModel::Changed, movie,
-    [this, movie] { movie->setEnabled(this->model.CurrentStudy()->volume.times.AreSeveral()); });
-  file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport)
-    ->setObjectName("exportReport");
+  this->MakeExportActions(file);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
 }
@@ -299,17 +287,6 @@ void MainWindow::MakePanels()
   this->ArrangePanels();
   this->MakePanelMenu();
   NamePartsOfControls(this);
-}
-
-QWidget* MainWindow::WithKeyImages(QWidget* measures)
-{
-  auto* const both = new QWidget;
-  auto* const column = new QVBoxLayout(both);
-  column->setContentsMargins(0, 0, 0, 0);
-  this->keyImages = new KeyImagesBox(&this->model);
-  column->addWidget(measures, 3);
-  column->addWidget(this->keyImages, 1);
-  return both;
 }
 
 // The view along a curve lies below the others. It opens with the first curve.

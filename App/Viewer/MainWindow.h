@@ -167,6 +167,7 @@ private:
   /// Asks for a file and lets a function write it, while a dialog shows its progress.
   void ExportMovie(const MovieTexts& texts,
     const std::function<bool(const QString&, const std::function<bool(double)>&)>& write);
+  void MakeExportActions(QMenu* file);
   void ExportTurntable();
   void ExportTimes();
   void ExportReport();

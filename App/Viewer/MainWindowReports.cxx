@@ -1,7 +1,8 @@
-// The part of MainWindow that writes movies, reports and benchmarks.
+// The part of MainWindow that exports images, movies, reports and benchmarks.
 
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/Panels/KeyImagesBox.h"
 #include "Viewer/Panels/TimeBar.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/Reports/ScanReport.h"
@@ -13,8 +14,10 @@
 #include "Viewer/WaitCursor.h"
 
 #include <QCoreApplication>
+#include <QMenu>
 #include <QMessageBox>
 #include <QProgressDialog>
+#include <QVBoxLayout>
 
 namespace varimarch
 {
@@ -113,6 +116,33 @@ void MainWindow::ShowBenchmark()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();
   }
+}
+
+void MainWindow::MakeExportActions(QMenu* file)
+{
+  file->addAction(tr("Export an &image…"), this, &MainWindow::ExportPicture, QKeySequence("Ctrl+E"))
+    ->setObjectName("exportImage");
+  file->addAction(tr("Send the i&mage to an archive…"), this, &MainWindow::SendPicture)
+    ->setObjectName("sendImage");
+  file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
+  QAction* const movie = file->addAction(tr("Export the ti&mes…"), this, &MainWindow::ExportTimes);
+  movie->setObjectName("exportTimes");
+  movie->setEnabled(false);
+  connect(&this->model, &SceneModel::Changed, movie,
+    [this, movie] { movie->setEnabled(this->model.CurrentStudy()->volume.times.AreSeveral()); });
+  file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport)
+    ->setObjectName("exportReport");
+}
+
+QWidget* MainWindow::WithKeyImages(QWidget* measures)
+{
+  auto* const both = new QWidget;
+  auto* const column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  this->keyImages = new KeyImagesBox(&this->model);
+  column->addWidget(measures, 3);
+  column->addWidget(this->keyImages, 1);
+  return both;
 }
 
 }

@@ -34,8 +34,7 @@ std::vector<FuzzTarget> VolumeTargets();
 std::vector<FuzzTarget> DicomTargets();
 std::vector<FuzzTarget> LookTargets();
 std::vector<FuzzTarget> SceneTargets();
-/// None without the library of archives.
-std::vector<FuzzTarget> ArchiveTargets();
+std::vector<FuzzTarget> ArchiveTargets(); ///< empty without the library of archives
 FuzzTarget RemoteTarget();
 FuzzTarget RawGuessTarget();
 FuzzTarget TransferFunctionTarget();

@@ -43,13 +43,13 @@ struct MaterialRequest
   int surfaceComponent = 0;      ///< The component of the array that has the isosurfaces.
   /// The gradient below which shading fades [units of data per mean spacing].
   double dampingGradient = 0.0;
-  double scatteredPart = 0.0;   ///< The part of the light that matter scatters, [0, 1].
-  double anisotropy = 0.0;      ///< The mean cosine of the angle by which it turns light.
+  double scatteredPart = 0.0; ///< The part of the light that matter scatters, [0, 1].
+  double anisotropy = 0.0;    ///< The mean cosine of the angle by which it turns light.
   /// The part of what matter takes from a light that surfaces lack, [0, 1]; scattered light lacks
   /// all of it.
   double surfacesInShadow = 1.0;
-  double shadowReachMm = 0.0;   ///< The distance beyond which matter casts no shadow.
-  double occlusion = 0.0;       ///< The strength of ambient occlusion, [0, 1].
+  double shadowReachMm = 0.0; ///< The distance beyond which matter casts no shadow.
+  double occlusion = 0.0;     ///< The strength of ambient occlusion, [0, 1].
   double occlusionReachMm = 0.0;
   SliceSurface slice = {};
   std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.

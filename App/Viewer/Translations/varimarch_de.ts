@@ -2535,6 +2535,86 @@ Masken nicht unterstützt</translation>
         <source>Sagittal slice</source>
         <translation>Sagittale Schicht</translation>
     </message>
+    <message>
+        <source>Export the ti&amp;mes…</source>
+        <translation>&amp;Zeitpunkte exportieren…</translation>
+    </message>
+    <message>
+        <source>Along the curve</source>
+        <translation>Entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Export the times</source>
+        <translation>Zeitpunkte exportieren</translation>
+    </message>
+    <message>
+        <source>Rendering the times</source>
+        <translation>Die Zeitpunkte werden berechnet</translation>
+    </message>
+    <message>
+        <source>&amp;Mark a key image</source>
+        <translation>Schlüsselbild &amp;merken</translation>
+    </message>
+    <message>
+        <source>Annotate</source>
+        <translation>Beschriften</translation>
+    </message>
+    <message>
+        <source>Cobb angles, regions, curves, arrows and texts</source>
+        <translation>Cobb-Winkel, Regionen, Kurven, Pfeile und Texte</translation>
+    </message>
+    <message>
+        <source>Anno&amp;tate</source>
+        <translation>Beschrifte&amp;n</translation>
+    </message>
+    <message>
+        <source>&amp;Cobb angle</source>
+        <translation>&amp;Cobb-Winkel</translation>
+    </message>
+    <message>
+        <source>Drag along one line, then another</source>
+        <translation>Eine Linie entlang ziehen, dann eine zweite</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Drag across a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Über eine Schicht ziehen: Fläche, Mittelwert, Abweichung, kleinster und größter Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Freehand region</source>
+        <translation>&amp;Freihand-Region</translation>
+    </message>
+    <message>
+        <source>Draw around a region of a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Eine Region einer Schicht umfahren: Fläche, Mittelwert, Abweichung, kleinster und größter Wert</translation>
+    </message>
+    <message>
+        <source>C&amp;urve</source>
+        <translation>K&amp;urve</translation>
+    </message>
+    <message>
+        <source>Click along a vessel or the jaw: its length, and the volume straightened along it</source>
+        <translation>An einem Gefäß oder dem Kiefer entlang klicken: die Länge, und das Volumen daran begradigt</translation>
+    </message>
+    <message>
+        <source>&amp;Arrow</source>
+        <translation>&amp;Pfeil</translation>
+    </message>
+    <message>
+        <source>Drag to the thing to show, then type</source>
+        <translation>Zu dem ziehen, was gezeigt werden soll, dann tippen</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Text</translation>
+    </message>
+    <message>
+        <source>Click, then type</source>
+        <translation>Klicken, dann tippen</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2569,6 +2649,46 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Measurements</source>
         <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Hingehen</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Choose a measurement above, then drag in the volume or in a slice. Points can be dragged later. Double-click a name to change it, or a value to go there.</source>
+        <translation>Wählen Sie oben eine Messung und ziehen Sie dann im Volumen oder in einer Schicht. Punkte können später verschoben werden. Ein Doppelklick auf einen Namen ändert ihn, einer auf einen Wert führt dorthin.</translation>
+    </message>
+    <message>
+        <source>%1; the box shows or hides it</source>
+        <translation>%1; das Kästchen zeigt oder verbirgt sie</translation>
+    </message>
+    <message>
+        <source>show a measurement</source>
+        <translation>Messung zeigen</translation>
+    </message>
+    <message>
+        <source>hide a measurement</source>
+        <translation>Messung verbergen</translation>
+    </message>
+    <message>
+        <source>go to a measurement</source>
+        <translation>zu einer Messung gehen</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Messungen speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>Speichern nicht möglich</translation>
     </message>
 </context>
 <context>
@@ -3947,6 +4067,10 @@ ml</translation>
     <message>
         <source>Te&amp;xts over the slices</source>
         <translation>Te&amp;xte über den Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Times</source>
+        <translation>&amp;Zeitpunkte</translation>
     </message>
 </context>
 <context>

@@ -2535,6 +2535,86 @@ no admite máscaras</translation>
         <source>Sagittal slice</source>
         <translation>Corte sagital</translation>
     </message>
+    <message>
+        <source>Export the ti&amp;mes…</source>
+        <translation>Exportar los tie&amp;mpos…</translation>
+    </message>
+    <message>
+        <source>Along the curve</source>
+        <translation>A lo largo de la curva</translation>
+    </message>
+    <message>
+        <source>Export the times</source>
+        <translation>Exportar los tiempos</translation>
+    </message>
+    <message>
+        <source>Rendering the times</source>
+        <translation>Calculando los tiempos</translation>
+    </message>
+    <message>
+        <source>&amp;Mark a key image</source>
+        <translation>&amp;Marcar una imagen clave</translation>
+    </message>
+    <message>
+        <source>Annotate</source>
+        <translation>Anotar</translation>
+    </message>
+    <message>
+        <source>Cobb angles, regions, curves, arrows and texts</source>
+        <translation>Ángulos de Cobb, regiones, curvas, flechas y textos</translation>
+    </message>
+    <message>
+        <source>Anno&amp;tate</source>
+        <translation>&amp;Anotar</translation>
+    </message>
+    <message>
+        <source>&amp;Cobb angle</source>
+        <translation>Ángulo de &amp;Cobb</translation>
+    </message>
+    <message>
+        <source>Drag along one line, then another</source>
+        <translation>Arrastre a lo largo de una línea y después de otra</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Elipse</translation>
+    </message>
+    <message>
+        <source>Drag across a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Arrastre sobre un corte: área, media, desviación, valor mínimo y máximo</translation>
+    </message>
+    <message>
+        <source>&amp;Freehand region</source>
+        <translation>Región a &amp;mano alzada</translation>
+    </message>
+    <message>
+        <source>Draw around a region of a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Dibuje alrededor de una región de un corte: área, media, desviación, valor mínimo y máximo</translation>
+    </message>
+    <message>
+        <source>C&amp;urve</source>
+        <translation>C&amp;urva</translation>
+    </message>
+    <message>
+        <source>Click along a vessel or the jaw: its length, and the volume straightened along it</source>
+        <translation>Haga clic a lo largo de un vaso o de la mandíbula: su longitud, y el volumen enderezado a lo largo</translation>
+    </message>
+    <message>
+        <source>&amp;Arrow</source>
+        <translation>&amp;Flecha</translation>
+    </message>
+    <message>
+        <source>Drag to the thing to show, then type</source>
+        <translation>Arrastre hasta lo que quiere mostrar y escriba</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Texto</translation>
+    </message>
+    <message>
+        <source>Click, then type</source>
+        <translation>Haga clic y escriba</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -2569,6 +2649,46 @@ no admite máscaras</translation>
     <message>
         <source>Measurements</source>
         <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Ir</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Guardar como CSV…</translation>
+    </message>
+    <message>
+        <source>Choose a measurement above, then drag in the volume or in a slice. Points can be dragged later. Double-click a name to change it, or a value to go there.</source>
+        <translation>Elija arriba una medición y arrastre en el volumen o en un corte. Los puntos se pueden mover después. Haga doble clic en un nombre para cambiarlo, o en un valor para ir allí.</translation>
+    </message>
+    <message>
+        <source>%1; the box shows or hides it</source>
+        <translation>%1; la casilla la muestra u oculta</translation>
+    </message>
+    <message>
+        <source>show a measurement</source>
+        <translation>mostrar una medición</translation>
+    </message>
+    <message>
+        <source>hide a measurement</source>
+        <translation>ocultar una medición</translation>
+    </message>
+    <message>
+        <source>go to a measurement</source>
+        <translation>ir a una medición</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Guardar las mediciones</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabla (*.csv)</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>No se puede guardar</translation>
     </message>
 </context>
 <context>
@@ -3947,6 +4067,10 @@ ml</translation>
     <message>
         <source>Te&amp;xts over the slices</source>
         <translation>Te&amp;xtos sobre los cortes</translation>
+    </message>
+    <message>
+        <source>&amp;Times</source>
+        <translation>&amp;Tiempos</translation>
     </message>
 </context>
 <context>

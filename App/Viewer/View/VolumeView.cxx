@@ -185,8 +185,8 @@ bool VolumeView::Takes(ScenePart part)
     this->TakeVolume();
     return true;
   }
-  if (!ShowPart(part, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()),
-        *this->pipeline))
+  if (!ShowPart(
+        part, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()), *this->pipeline))
   {
     return false;
   }
