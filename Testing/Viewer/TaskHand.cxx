@@ -100,6 +100,12 @@ void TaskHand::RaisePanel(QWidget* window, const QString& name)
   throw std::runtime_error("a panel has no tab");
 }
 
+void TaskHand::PressKey(QWidget* window, Qt::Key key)
+{
+  QTest::keyClick(window, key);
+  ++this->keys;
+}
+
 void TaskHand::Type(QWidget* field, const QString& text)
 {
   this->Click(field);

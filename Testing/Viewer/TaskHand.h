@@ -28,6 +28,7 @@ public:
   /// Brings a panel to the front by its tab.
   void RaisePanel(QWidget* window, const QString& name);
   void Type(QWidget* field, const QString& text);
+  void PressKey(QWidget* window, Qt::Key key);
 
   /// Gives the answer to the next dialog that stops the program until it is answered.
   void Expect(std::function<void(QWidget* dialog)> answer);

@@ -85,7 +85,7 @@ public:
     this->hand.Drag(view, middle, middle + QPoint(view->width() / 5, 0));
     this->ClickTool(3); // Distance
     this->hand.Drag(view, middle - QPoint(20, 10), middle + QPoint(30, 20));
-    Await([&] { return this->Model()->CurrentScene().distances.size() == 1; },
+    Await([&] { return this->Model()->CurrentScene().measures.size() == 1; },
       "the width is not measured");
     this->Finish("aneurysm", "Find an aneurysm");
   }
@@ -98,7 +98,7 @@ public:
     SliceView* const slice = this->AxialAt(TaskScans::Nodule());
     const QPoint there = PlaceOf(*slice, TaskScans::Nodule());
     this->hand.Drag(slice, there - QPoint(12, 12), there + QPoint(12, 12));
-    Await([&] { return this->Model()->CurrentScene().boxes.size() == 1; },
+    Await([&] { return this->Model()->CurrentScene().measures.size() == 1; },
       "the uptake is not measured");
     this->Finish("pet", "PET hot spot with SUV");
   }
@@ -127,6 +127,21 @@ public:
     this->hand.Click(this->Reachable<QWidget>("bodyOnly"), { 8, 8 });
     Await([&] { return this->Model()->CurrentScene().cuts.bodyOnly; }, "the table stays");
     this->Finish("bone", "Bone without table");
+  }
+
+  void StraightenVessel()
+  {
+    this->Begin(this->scans.Ct());
+    SliceView* const slice = this->AxialAt(TaskScans::Nodule());
+    this->hand.PressKey(this->window.get(), Qt::Key_U); // Curve
+    const QPoint there = PlaceOf(*slice, TaskScans::Nodule());
+    for (const QPoint& step : { QPoint(-40, 30), QPoint(0, 0), QPoint(30, 35) })
+    {
+      this->hand.Click(slice, there + step);
+    }
+    Await([&] { return this->window->findChild<QDockWidget*>("curve")->isVisible(); },
+      "the view along the curve does not open");
+    this->Finish("curved", "Vessel curved reformat");
   }
 
   void CompareTimes()
@@ -335,6 +350,7 @@ int Run(const QCommandLineParser& options)
   tasks.MeasureUptake();
   tasks.MeasureNodule();
   tasks.ShowBoneWithoutTable();
+  tasks.StraightenVessel();
   tasks.CompareTimes();
   tasks.SendToPacs();
   tasks.ExportWithoutFace();

@@ -136,7 +136,8 @@ protected:
       });
     this->Model()->Edit(ScenePart::Measures, "measure",
       [](Scene& scene) {
-        scene.distances.push_back({ { 0, 0, 0 }, { 30, 40, 0 }, "aorta" });
+        scene.measures.push_back(
+          { MeasureKind::Distance, { { 0, 0, 0 }, { 30, 40, 0 } }, "aorta" });
       });
   }
 
