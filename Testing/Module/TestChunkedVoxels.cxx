@@ -26,7 +26,7 @@ namespace
 
 /// Memory in which the voxels do not fit. The program has more, so that what was read is dropped
 /// again and again.
-constexpr vtkIdType TooLittle = 1200000;
+constexpr vtkIdType LessThanTheVoxels = 1200000;
 
 /// The shape of a volume of shorts as Zarr, x first.
 struct Shape
@@ -100,7 +100,7 @@ protected:
     return this->folder.Path("a.zarr");
   }
 
-  vtkImageData* Read(const std::string& path, vtkIdType memory = TooLittle)
+  vtkImageData* Read(const std::string& path, vtkIdType memory = LessThanTheVoxels)
   {
     this->reader->SetFileName(path.c_str());
     this->reader->SetMaximumHostMemory(memory);
