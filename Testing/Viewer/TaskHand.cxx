@@ -102,6 +102,7 @@ void TaskHand::RaisePanel(QWidget* window, const QString& name)
 
 void TaskHand::PressKey(QWidget* window, Qt::Key key)
 {
+  QApplication::setActiveWindow(window); // shortcuts need it, also without a window manager
   QTest::keyClick(window, key);
   ++this->keys;
 }
