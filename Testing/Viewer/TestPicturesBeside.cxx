@@ -82,20 +82,30 @@ protected:
       });
   }
 
+  void Drag()
+  {
+    const QPoint middle = this->View()->rect().center();
+    QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
+    for (int x = 1; x <= 40; ++x)
+    {
+      QTest::mouseMove(this->View(), middle + QPoint(4 * x, x));
+      QTest::qWait(10);
+    }
+    QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(160, 40));
+  }
+
   Waiting Turn(const char* name)
   {
-    return this->While(name,
-      [&]
-      {
-        const QPoint middle = this->View()->rect().center();
-        QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
-        for (int x = 1; x <= 40; ++x)
-        {
-          QTest::mouseMove(this->View(), middle + QPoint(4 * x, x));
-          QTest::qWait(10);
-        }
-        QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(160, 40));
-      });
+    return this->While(name, [&] { this->Drag(); });
+  }
+
+  // The middle of the view. The corners have the time of a picture.
+  QImage Middle()
+  {
+    const QRect all = this->View()->rect();
+    return this->View()
+      ->grab(all.adjusted(all.width() / 4, all.height() / 4, -all.width() / 4, -all.height() / 4))
+      .toImage();
   }
 
   void WriteTorso(const QString& name, const std::array<int, 3>& dimensions)
@@ -132,28 +142,24 @@ TEST_F(PicturesBeside, FollowTheCameraOfTheWindow)
 {
   this->View()->DrawInThread();
   this->OpenTorso();
-  // The corners have the time of a picture.
-  const auto middle = [this]
-  {
-    const QRect all = this->View()->rect();
-    return this->View()
-      ->grab(all.adjusted(all.width() / 4, all.height() / 4, -all.width() / 4, -all.height() / 4))
-      .toImage();
-  };
-  const QImage before = middle();
+  const QImage before = this->Middle();
   EXPECT_GT(ColorCount(before), 10) << "there is a torso";
   this->Turn("turn");
   EXPECT_TRUE(this->Model()->CurrentScene().camera.pose.has_value());
-  EXPECT_NE(middle(), before);
+  EXPECT_NE(this->Middle(), before);
 }
 
 TEST_F(PicturesBeside, GiveWayToComparisons)
 {
   this->View()->DrawInThread();
   this->OpenTorso();
+  this->Turn("turn");
+  const QImage before = this->Middle();
   QSignalSpy compared(this->window.CentralView(), &ComparisonView::Compared);
   this->window.Compare(MapperKind::VtkGpu);
   ASSERT_TRUE(compared.wait(MostMilliseconds));
   EXPECT_LT(this->window.CentralView()->LastDifference()->rootMeanSquare, 20.0) << "of one scene";
+  this->Drag();
   this->While("after a comparison", [&] { this->window.Compare(std::nullopt); });
+  EXPECT_NE(this->Middle(), before) << "the camera was turned during the comparison";
 }

@@ -80,9 +80,9 @@ void VolumeView::KeepCamera()
     this->model->Edit(
       ScenePart::Camera, tr("turn the camera"), [&](Scene& scene) { scene.camera.pose = pose; },
       this->turning);
+    this->Tell(ScenePart::Camera);
     if (this->IsDrawnInThread())
     {
-      this->Tell(ScenePart::Camera);
       this->Draw(PicturesPerSecondWhileMoving);
     }
   }
