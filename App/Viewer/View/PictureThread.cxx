@@ -167,7 +167,6 @@ struct PictureThread::Work
   std::optional<Order> Next()
   {
     std::unique_lock<std::mutex> lock(this->mutex);
-    this->isDrawing = false;
     this->changed.wait(lock, [this] { return this->stops || this->next.wanted; });
     if (this->stops)
     {
@@ -180,10 +179,12 @@ struct PictureThread::Work
     return order;
   }
 
-  /// Keeps a picture unless its volume was replaced meanwhile.
+  /// Keeps a picture unless its volume was replaced meanwhile. From now on the thread is idle:
+  /// whoever is told of the picture may ask for the next part of it at once.
   void Finish(ThreadPicture picture, int volume)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
+    this->isDrawing = false;
     if (volume == this->next.volume)
     {
       this->finished = std::move(picture);
