@@ -106,6 +106,20 @@ TEST(PictureThread, ShowsNothingOfAVolumeThatWasReplaced)
   EXPECT_EQ(PictureOf(thread), expected);
 }
 
+TEST(PictureThread, GoesOnIfOnlyTheCountsOfValuesChange)
+{
+  const auto study = SmallStudy();
+  const Scene scene = SceneOfThread();
+  PictureThread thread;
+  thread.Take(ScenePart::Volume, scene, *study);
+  ASSERT_FALSE(PictureOf(thread).isNull());
+  const double before = thread.Last()->numbers.drawnPart;
+  thread.Take(ScenePart::Voxels, scene, *study);
+  thread.Draw({ Pixels, PicturesPerSecondAtRest, true });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !thread.IsBusy(); }, MostMilliseconds));
+  EXPECT_GT(thread.Last()->numbers.drawnPart, before) << "and does not begin anew";
+}
+
 // The editor of segments writes into their voxels where they are.
 TEST(PictureThread, DrawsLabelsAsTheyWereTaken)
 {

@@ -235,6 +235,11 @@ PictureThread::~PictureThread()
 
 void PictureThread::Take(ScenePart part, const Scene& scene, const Study& study)
 {
+  if (part == ScenePart::Voxels && study.volume.image == this->copied)
+  {
+    return; // only the counts of the values are others
+  }
+  this->copied = study.volume.image;
   // Labels are large, and copied while the thread may go on.
   ShownVoxels voxels;
   CopyVoxels(part, study, voxels);

@@ -8,6 +8,9 @@
 #include <QObject>
 #include <QSize>
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include <memory>
 #include <optional>
 
@@ -73,6 +76,7 @@ private:
   void TakePicture();
 
   std::unique_ptr<Work> work; ///< shared with the thread
+  vtkSmartPointer<vtkImageData> copied; ///< the image whose copy the thread has
   std::optional<ThreadPicture> last;
 };
 
