@@ -106,6 +106,27 @@ TEST(PictureThread, ShowsNothingOfAVolumeThatWasReplaced)
   EXPECT_EQ(PictureOf(thread), expected);
 }
 
+TEST(PictureThread, DrawsTheVoxelsOfAnotherTime)
+{
+  const auto study = SmallStudy();
+  const Scene scene = SceneOfThread();
+  Study later = *study;
+  later.volume.image = vtkSmartPointer<vtkImageData>::New();
+  later.volume.image->DeepCopy(study->volume.image);
+  vtkDataArray* const voxels = later.volume.image->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < voxels->GetNumberOfTuples(); ++i)
+  {
+    voxels->SetComponent(i, 0, 0.5 * voxels->GetComponent(i, 0));
+  }
+  PictureThread thread;
+  thread.Take(ScenePart::Volume, scene, *study);
+  const QImage first = PictureOf(thread);
+  thread.Take(ScenePart::Voxels, scene, later);
+  const QImage second = PictureOf(thread);
+  EXPECT_NE(second, first);
+  EXPECT_EQ(second, WithoutThread(scene, later));
+}
+
 TEST(PictureThread, GoesOnIfOnlyTheCountsOfValuesChange)
 {
   const auto study = SmallStudy();
