@@ -148,6 +148,33 @@ TEST_F(Sessions, AreAutosavedWithTheSegmentsThatWereDrawn)
   EXPECT_FALSE(QFile::exists(autosave.SegmentsPath()));
 }
 
+TEST_F(Sessions, NeverNameTheSegmentsOfAnotherScan)
+{
+  Autosave autosave(&this->model, this->copies);
+  this->model.AddSegment("tumour", "new segment");
+  autosave.Save();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
+  this->model.AddSegment("of the first scan", "new segment");
+  autosave.Save(); // the thread writes while another scan is opened
+  this->model.Open(ProceduralSource(), SmallStudy());
+  this->model.AddSegment("of the second scan", "new segment");
+  QFile::remove(this->path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
+  const Scene saved = ReadScene(this->path.toStdString());
+  ASSERT_TRUE(saved.labels);
+  EXPECT_EQ(saved.labels->segments[0].name, "of the second scan");
+  EXPECT_TRUE(saved.labels->path.empty()) << "its own segments are not in the file yet";
+}
+
+TEST_F(Sessions, HaveNoFilesWhereTheFolderCannotBeWrittenTo)
+{
+  const QString file = this->folder.filePath("file");
+  ASSERT_TRUE(QFile(file).open(QFile::WriteOnly));
+  const Autosave autosave(&this->model, file + "/sub");
+  EXPECT_TRUE(autosave.Path().isEmpty());
+  EXPECT_TRUE(autosave.SegmentsPath().isEmpty());
+}
+
 TEST_F(Sessions, LeaveNoSegmentsAfterANormalExit)
 {
   QString segments;

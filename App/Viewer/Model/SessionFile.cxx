@@ -95,8 +95,14 @@ Autosave::Autosave(SceneModel* model, const QString& folder, QObject* parent)
   // Without the segments, for which the disk may be too small, the rest is still saved.
   connect(&this->segmentWriting, &BackgroundTask::Failed, this, &Autosave::SaveScene);
   connect(model, &SceneModel::Changed, this,
-    [this]
+    [this](ScenePart part)
     {
+      if (part == ScenePart::Volume)
+      {
+        // The segments on the disk are of another scan.
+        ++this->volume;
+        this->savedLabels = 0;
+      }
       if (!this->delay.isActive())
       {
         this->delay.start();
@@ -128,7 +134,8 @@ bool Autosave::HasCopy() const
 
 QString Autosave::SegmentsPath() const
 {
-  return this->path.chopped(int(qstrlen(".json"))) + ".seg.nrrd";
+  return this->path.isEmpty() ? QString()
+                              : this->path.chopped(int(qstrlen(".json"))) + ".seg.nrrd";
 }
 
 void Autosave::Remove()
@@ -178,9 +185,9 @@ void Autosave::SaveSegments()
         QFile::remove(QString::fromStdString(file));
       }
     },
-    [this, version = this->model->LabelVersion()]
+    [this, version = this->model->LabelVersion(), ofVolume = this->volume]
     {
-      this->savedLabels = version;
+      this->savedLabels = ofVolume == this->volume ? version : 0;
       this->SaveScene();
     });
 }

@@ -39,7 +39,7 @@ public:
   bool HasCopy() const;
   /// The copy of this program; empty if the folder cannot be written to.
   QString Path() const { return this->path; }
-  /// The file of the segments that belong to the copy.
+  /// The file of the segments that belong to the copy; empty if the folder cannot be written to.
   QString SegmentsPath() const;
 
   /// Saves now, instead of two seconds after an edit. Segments with new voxels follow soon.
@@ -58,7 +58,8 @@ private:
   std::unique_ptr<QLockFile> lock;
   QTimer delay;
   BackgroundTask segmentWriting;
-  int savedLabels = 0; ///< version of the labels in the file of the segments; 0: there is none
+  int volume = 0;      ///< a number for the volume
+  int savedLabels = 0; ///< version of the volume's labels in the file; 0: it has none of them
 };
 
 }
