@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <new>
 
 namespace varimarch
 {
@@ -134,8 +135,7 @@ bool Autosave::HasCopy() const
 
 QString Autosave::SegmentsPath() const
 {
-  return this->path.isEmpty() ? QString()
-                              : this->path.chopped(int(qstrlen(".json"))) + ".seg.nrrd";
+  return this->path.isEmpty() ? QString() : this->path.chopped(int(qstrlen(".json"))) + ".seg.nrrd";
 }
 
 void Autosave::Remove()
@@ -173,7 +173,15 @@ void Autosave::SaveSegments()
   }
   LabelMap labels;
   labels.image = vtkSmartPointer<vtkImageData>::New();
-  labels.image->DeepCopy(this->model->CurrentStudy()->labels->image);
+  try
+  {
+    labels.image->DeepCopy(this->model->CurrentStudy()->labels->image);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->SaveScene(); // the rest
+    return;
+  }
   this->segmentWriting.Start(
     [labels, segments = this->model->CurrentScene().labels->segments,
       file = this->SegmentsPath().toStdString()](const TaskProgress& progress)

@@ -75,7 +75,7 @@ private:
 
   void TakePicture();
 
-  std::unique_ptr<Work> work; ///< shared with the thread
+  std::unique_ptr<Work> work;           ///< shared with the thread
   vtkSmartPointer<vtkImageData> copied; ///< the image whose copy the thread has
   std::optional<ThreadPicture> last;
 };

@@ -10,6 +10,8 @@
 #include <vtkImageData.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
+#include <new>
+
 namespace varimarch
 {
 
@@ -114,11 +116,19 @@ void VolumeView::GiveUpThread()
 // Tells the thread that a part of the scene has changed. The camera is that of the view.
 void VolumeView::Tell(ScenePart part)
 {
-  if (this->thread)
+  if (!this->thread)
+  {
+    return;
+  }
+  try
   {
     Scene scene = this->model->CurrentScene();
     scene.camera = this->CurrentCamera();
     this->thread->Take(part, scene, *this->model->CurrentStudy());
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->GiveUpThread(); // labels are copied for it
   }
 }
 
