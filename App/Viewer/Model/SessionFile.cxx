@@ -210,6 +210,10 @@ void Autosave::SaveScene()
     scene.labels->path = this->SegmentsPath().toStdString();
     scene.labels->series.clear();
   }
+  else if (scene.labels && scene.labels->path.empty())
+  {
+    scene.labels.reset(); // they are in no file
+  }
   try
   {
     WriteScene(scene, this->path);
