@@ -112,10 +112,13 @@ public:
     this->Press("toolRegion");
     this->hand.Type(this->Reachable<QWidget>("smallestValue"), "-400");
     this->hand.Click(slice, PlaceOf(*slice, TaskScans::Nodule()));
-    const auto& statistics = this->Model()->CurrentStudy()->segmentStatistics;
-    const double ml = statistics.empty() ? 0.0 : statistics.front().volumeMm3 / 1000.0;
-    // A ball with a radius of 9 mm has 3.05 ml.
-    Await([&] { return ml > 2.4 && ml < 3.8; }, "the nodule has not its volume");
+    const auto hasVolume = [this]
+    {
+      const auto& statistics = this->Model()->CurrentStudy()->segmentStatistics;
+      const double ml = statistics.empty() ? 0.0 : statistics.front().volumeMm3 / 1000.0;
+      return ml > 2.4 && ml < 3.8; // a ball with a radius of 9 mm has 3.05 ml
+    };
+    Await(hasVolume, "the nodule has not its volume");
     this->Finish("nodule", "Lung nodule volume");
   }
 
