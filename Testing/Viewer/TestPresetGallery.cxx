@@ -53,6 +53,16 @@ protected:
 
   QToolButton* Fold() { return this->panel.findChild<QToolButton*>("fold"); }
 
+  // No part of its histogram is air, soft tissue or bone.
+  void OpenCheckerboard()
+  {
+    LoadedVolume even =
+      LoadVolume(ProceduralSource{ ProceduralKind::Checkerboard, { 16, 16, 16 }, 1 });
+    ImageStatistics statistics(even.image);
+    this->model.Open(ProceduralSource(),
+      std::make_shared<const Study>(Study{ std::move(even), std::move(statistics) }));
+  }
+
   const Look& TheLook() const { return this->model.CurrentScene().look; }
 
   QTemporaryDir folder;
@@ -110,12 +120,7 @@ TEST_F(Gallery, FoldsTheLooksForOtherKindsOfScans)
 
 TEST_F(Gallery, LeavesOutLooksThatCannotShowTheVolume)
 {
-  // No part of the histogram is air, soft tissue or bone.
-  LoadedVolume even =
-    LoadVolume(ProceduralSource{ ProceduralKind::Checkerboard, { 16, 16, 16 }, 1 });
-  ImageStatistics statistics(even.image);
-  this->model.Open(ProceduralSource(),
-    std::make_shared<const Study>(Study{ std::move(even), std::move(statistics) }));
+  this->OpenCheckerboard();
   EXPECT_FALSE(this->Item("CT bone"));
   EXPECT_TRUE(this->Item("MR maximum"));
 }
@@ -131,6 +136,19 @@ TEST_F(Gallery, IsHiddenAndShownAgainWithAllItsPictures)
   this->panel.show();
   QTest::qWait(300);
   EXPECT_NE(this->Picture(last), empty);
+}
+
+// The list of the new volume is shorter, and its rows are other looks.
+TEST_F(Gallery, ShowsNoPictureOfAVolumeThatWasReplacedWhileItWasHidden)
+{
+  const QImage empty = this->Picture(0);
+  this->panel.hide();
+  this->OpenCheckerboard();
+  QTest::qWait(3000); // the pictures of the first volume would be drawn by now
+  for (int row = 0; row < this->List()->count(); ++row)
+  {
+    EXPECT_EQ(this->Picture(row), empty) << row;
+  }
 }
 
 TEST_F(Gallery, MarksTheCurrentLook)

@@ -244,15 +244,17 @@ void PresetGallery::Fold(bool isFolded)
   this->DrawPictures();
 }
 
+// While the gallery is hidden, nothing is drawn, and nothing more comes of what was asked for
+// before.
 void PresetGallery::DrawPictures()
 {
-  if (!this->isVisible() || !this->model->EditedStudy())
+  if (!this->model->EditedStudy())
   {
     return;
   }
   this->drawnRows.clear();
   std::vector<Preset> wanted;
-  for (int row = 0; row < this->list->count(); ++row)
+  for (int row = 0; this->isVisible() && row < this->list->count(); ++row)
   {
     const QListWidgetItem* const item = this->list->item(row);
     if (!item->isHidden() && !item->data(HasPictureRole).toBool())
