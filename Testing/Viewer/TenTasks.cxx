@@ -112,13 +112,12 @@ public:
     this->Press("toolRegion");
     this->hand.Type(this->Reachable<QWidget>("smallestValue"), "-400");
     this->hand.Click(slice, PlaceOf(*slice, TaskScans::Nodule()));
-    const auto hasVolume = [this]
+    const auto ml = [this] // of a ball with a radius of 9 mm, which has 3.05 ml
     {
       const auto& statistics = this->Model()->CurrentStudy()->segmentStatistics;
-      const double ml = statistics.empty() ? 0.0 : statistics.front().volumeMm3 / 1000.0;
-      return ml > 2.4 && ml < 3.8; // a ball with a radius of 9 mm has 3.05 ml
+      return statistics.empty() ? 0.0 : statistics.front().volumeMm3 / 1000.0;
     };
-    Await(hasVolume, "the nodule has not its volume");
+    Await([&] { return ml() > 2.4 && ml() < 3.8; }, "the nodule has not its volume");
     this->Finish("nodule", "Lung nodule volume");
   }
 
