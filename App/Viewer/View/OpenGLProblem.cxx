@@ -23,6 +23,25 @@ QString Problem(const QString& found)
     .arg(found);
 }
 
+/// A context without a window, which is current as long as it lives.
+class HiddenContext
+{
+public:
+  HiddenContext()
+  {
+    this->surface.create();
+    this->isCurrent = this->context.create() && this->context.makeCurrent(&this->surface);
+  }
+
+  /// Null if there is no OpenGL.
+  QOpenGLContext* Get() { return this->isCurrent ? &this->context : nullptr; }
+
+private:
+  QOffscreenSurface surface;
+  QOpenGLContext context;
+  bool isCurrent;
+};
+
 // True if VTK finds its functions in the current context. Debian's VTK looks for them by GLX only,
 // whereas Qt may have made the context by EGL.
 bool VtkCanUseContext()
@@ -42,38 +61,31 @@ bool VtkCanUseContext()
 
 QString OpenGLProblem()
 {
-  QOffscreenSurface surface;
-  surface.create();
-  QOpenGLContext context;
-  if (!context.create() || !context.makeCurrent(&surface))
+  HiddenContext hidden;
+  if (!hidden.Get())
   {
     return Problem(QCoreApplication::translate("OpenGLProblem", "none"));
   }
-  const auto [major, minor] = context.format().version();
+  const auto [major, minor] = hidden.Get()->format().version();
   if (qMakePair(major, minor) < qMakePair(3, 2))
   {
     return Problem(QStringLiteral("%1.%2").arg(major).arg(minor));
   }
-  const bool works = VtkCanUseContext();
-  context.doneCurrent();
-  return works ? QString()
-               : Problem(QCoreApplication::translate("OpenGLProblem", "a display without GLX"));
+  return VtkCanUseContext()
+    ? QString()
+    : Problem(QCoreApplication::translate("OpenGLProblem", "a display without GLX"));
 }
 
 bool IsOpenGLOnProcessor()
 {
-  QOffscreenSurface surface;
-  surface.create();
-  QOpenGLContext context;
-  if (!context.create() || !context.makeCurrent(&surface))
+  HiddenContext hidden;
+  if (!hidden.Get())
   {
     return false;
   }
   const auto* const device =
-    reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER));
-  const bool isProcessor = QString::fromLatin1(device).contains("llvmpipe");
-  context.doneCurrent();
-  return isProcessor;
+    reinterpret_cast<const char*>(hidden.Get()->functions()->glGetString(GL_RENDERER));
+  return QString::fromLatin1(device).contains("llvmpipe");
 }
 
 }
