@@ -290,7 +290,7 @@ void PictureThread::TakePicture()
   {
     const std::lock_guard<std::mutex> lock(this->work->mutex);
     picture = std::exchange(this->work->finished, {});
-    hasFailed = this->work->hasFailed;
+    hasFailed = std::exchange(this->work->hasFailed, false); // to tell it once
   }
   if (hasFailed)
   {
