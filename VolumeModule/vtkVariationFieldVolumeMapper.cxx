@@ -330,6 +330,11 @@ int vtkVariationFieldVolumeMapper::GetOpticalTableBuilds()
     [](const varimarch::RayMarcher& marcher) { return marcher.Builds().opticalTable; });
 }
 
+int vtkVariationFieldVolumeMapper::GetLightLatticeBuilds()
+{
+  return this->Private->Sum(&varimarch::RayMarcher::LightLatticeBuilds);
+}
+
 int vtkVariationFieldVolumeMapper::GetShaderBuilds()
 {
   return this->Private->Sum(&varimarch::RayMarcher::ShaderBuilds);

@@ -720,6 +720,7 @@ public:
   int GetBrickRangesBuilds();
   int GetFieldBuilds(); ///< does not count the same field for other ray directions
   int GetOpticalTableBuilds();
+  int GetLightLatticeBuilds(); ///< lattices that were begun, one for each light
   int GetShaderBuilds();
   int GetToleranceSearches();
   ///@}

@@ -149,6 +149,7 @@ const std::vector<LightChange>& LightChanges()
         scene.image->GetPointData()->GetScalars()->Modified();
         scene.image->Modified();
       } },
+    { "strength", [](MapperScene& scene) { scene.mapper->SetShadowStrength(0.6); } },
     { "tolerance", [](MapperScene& scene) { scene.mapper->SetErrorTolerance(1.0 / 200.0); } },
     { "spline", [](MapperScene& scene) { scene.mapper->CubicInterpolationOn(); } },
   };
@@ -178,6 +179,29 @@ TEST(Shadows, AfterAnyChangeAreThoseOfANewVolume)
     EXPECT_EQ(after, fresh.scene.DrawByProcessor()) << change.name;
     EXPECT_NE(after, before) << change.name << ": nothing has changed";
   }
+}
+
+TEST(Shadows, KeepTheirLatticesUntilTheirLightChanges)
+{
+  ShadowedTorso torso(16);
+  torso.SetMostOpacity(0.1);
+  torso.scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  const auto buildsAfterDrawing = [&]
+  {
+    torso.scene.DrawByProcessor();
+    return torso.scene.mapper->GetLightLatticeBuilds();
+  };
+  const int builds = buildsAfterDrawing();
+  EXPECT_EQ(builds, 2) << "a sun and a lamp";
+  torso.scene.mapper->SetShadowStrength(0.5);
+  EXPECT_EQ(buildsAfterDrawing(), builds) << "strength";
+  torso.scene.mapper->SetDampingGradient(5.0);
+  EXPECT_EQ(buildsAfterDrawing(), builds) << "damping";
+  torso.scene.mapper->SetVolumetricScatteringBlending(0.5);
+  torso.scene.mapper->SetScatteringAnisotropy(0.3);
+  EXPECT_EQ(buildsAfterDrawing(), builds) << "scattering";
+  torso.SetMostOpacity(0.05);
+  EXPECT_EQ(buildsAfterDrawing(), 2 * builds) << "opacity";
 }
 
 // The other rule has other samples in packets than in the shader.

@@ -56,13 +56,18 @@ struct MaterialRequest
   /// Colour and extinction [1/mm] of cells without a value.
   glm::dvec4 gapOptical = glm::dvec4(0.0);
 
-  /// The numbers that an image depends on in any view and that the property does not have.
-  std::vector<double> Numbers() const
+  /// The numbers that the extinction depends on and that the property does not have.
+  std::vector<double> NumbersOfExtinction() const
   {
-    return { this->labelBlend, this->dampingGradient, this->scatteredPart, this->anisotropy,
-      this->surfacesInShadow, this->shadowReachMm, this->occlusion, this->occlusionReachMm,
-      this->averagedRange[0], this->averagedRange[1], this->gapOptical.r, this->gapOptical.g,
-      this->gapOptical.b, this->gapOptical.a };
+    return { this->labelBlend, this->gapOptical.a };
+  }
+
+  /// All other numbers that an image depends on in any view and that the property does not have.
+  std::vector<double> OtherNumbers() const
+  {
+    return { this->dampingGradient, this->scatteredPart, this->anisotropy, this->surfacesInShadow,
+      this->shadowReachMm, this->occlusion, this->occlusionReachMm, this->averagedRange[0],
+      this->averagedRange[1], this->gapOptical.r, this->gapOptical.g, this->gapOptical.b };
   }
 };
 

@@ -117,14 +117,14 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
 
 }
 
-std::vector<double> MaterialFingerprint(const Frame& frame)
+std::vector<double> ExtinctionFingerprint(const Frame& frame)
 {
   vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
   Numbers numbers = { double(frame.voxels.time), double(frame.voxels.mask.time),
     TimeOf(frame.voxels.blanking.points), TimeOf(frame.voxels.blanking.cells),
     double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 };
-  Append(numbers, frame.material.Numbers());
+  Append(numbers, frame.material.NumbersOfExtinction());
   Append(numbers, frame.cuts.Numbers());
   Append(numbers, FunctionsOf(frame.material.property));
   return numbers;
@@ -132,7 +132,8 @@ std::vector<double> MaterialFingerprint(const Frame& frame)
 
 std::vector<double> VolumeFingerprint(const Frame& frame)
 {
-  Numbers numbers = MaterialFingerprint(frame);
+  Numbers numbers = ExtinctionFingerprint(frame);
+  Append(numbers, frame.material.OtherNumbers());
   Append(numbers, LightsOf(frame));
   return numbers;
 }

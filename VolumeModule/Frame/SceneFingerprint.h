@@ -10,8 +10,8 @@ namespace varimarch
 
 struct Frame;
 
-/// Everything in a volume and its look that light in it depends on, but for the lights themselves.
-std::vector<double> MaterialFingerprint(const Frame& frame);
+/// Everything in a volume and its look that the part of a light depends on that it lets through.
+std::vector<double> ExtinctionFingerprint(const Frame& frame);
 
 /// Everything in a volume and its look that an image depends on in any view, as numbers and
 /// modification times. Changes by observers of vtkCommand::UpdateShaderEvent are not included.

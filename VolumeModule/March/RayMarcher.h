@@ -79,6 +79,7 @@ public:
   bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
   /// The memory of the lattices of light, of which only pages that are used are taken.
   std::size_t LightBytes() const { return this->resources.First().Light().Bytes(); }
+  int LightLatticeBuilds() const { return this->resources.First().Light().Builds(); }
   /// See the function of this name.
   bool HasLongShadowSteps() const { return this->hasLongShadowSteps; }
   /// True if the image may be wrong by any amount, which no trial image shows.

@@ -59,7 +59,7 @@ bool IsSmooth(const MaterialResources& materials, double voxelMm)
 // All inputs of a light's way through the volume, without those of the light itself.
 std::vector<double> InputsOf(const VolumeMarch& march)
 {
-  std::vector<double> inputs = MaterialFingerprint(march.frame);
+  std::vector<double> inputs = ExtinctionFingerprint(march.frame);
   const glm::dmat4& world = march.frame.geometry.worldFromGrid;
   inputs.insert(inputs.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
   inputs.insert(inputs.end(),
@@ -145,8 +145,9 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   }
   this->sky.shape = LightLattice::ShapeOfSky(march.frame.geometry.dimensions);
   this->sky.agreement = SkyAgreement;
-  // The strength and the reach are among the numbers of the material.
-  this->sky.nodes = this->KeepNodes(InputsOf(march), this->sky.shape, now);
+  std::vector<double> inputs = InputsOf(march);
+  inputs.insert(inputs.end(), { strength, march.frame.material.occlusionReachMm });
+  this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape, now);
 }
 
 // The nodes of a lattice that is kept, or of an empty one.
@@ -155,8 +156,15 @@ std::uint8_t* LightResources::KeepNodes(
 {
   const auto found = std::find_if(
     this->kept.begin(), this->kept.end(), [&](const Kept& own) { return own.inputs == inputs; });
-  now.push_back(
-    found == this->kept.end() ? Kept{ std::move(inputs), LightLattice(shape) } : std::move(*found));
+  if (found != this->kept.end())
+  {
+    now.push_back(std::move(*found));
+  }
+  else
+  {
+    now.push_back({ std::move(inputs), LightLattice(shape) });
+    ++this->builds;
+  }
   return now.back().lattice.Nodes();
 }
 

@@ -32,6 +32,9 @@ public:
   /// The memory of all lattices, of which only pages that are used are taken from the system.
   std::size_t Bytes() const;
 
+  /// How many lattices were begun.
+  int Builds() const { return this->builds; }
+
   void Release() { this->kept.clear(); }
 
 private:
@@ -49,6 +52,7 @@ private:
     std::vector<double> inputs, const LatticeShape& shape, std::vector<Kept>& now);
 
   std::vector<Kept> kept;
+  int builds = 0;
   PacketShadows shadows = {};
   PacketSky sky = {};
 };
