@@ -7,6 +7,7 @@
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
@@ -122,7 +123,7 @@ glm::dvec3 ReferenceLighting::Lit(const LitPoint& point, const LightReaching& re
     const double arriving =
       isDimmed ? Arriving(light, towards, DistanceMm(light, point), reaching) : 1.0;
     const double onSurfaces =
-      (1.0 - this->scatteredPart) * undamped * (1.0 - this->surfacesInShadow * (1.0 - arriving));
+      (1.0 - this->scatteredPart) * undamped * glm::mix(1.0, arriving, this->surfacesInShadow);
     const double scattered = this->scatteredPart * arriving *
       HenyeyGreenstein(-glm::dot(towards, point.toEye), this->anisotropy);
     const double shining = cosine > 0.0 ? facing(HalfWay(towards, point.toEye)) : 0.0;
