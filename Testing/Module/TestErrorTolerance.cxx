@@ -351,36 +351,3 @@ TEST(ErrorTolerance, DoesNotDependOnTheOnesBefore)
   // A search that starts at four voxels would see nothing there and at two voxels, and trust it.
   EXPECT_EQ(distanceFor(1.0 / 64.0), alone);
 }
-
-TEST(CommonSteps, ReplaceTheSearchUntilTheyAreTakenBack)
-{
-  MapperScene scene(SmallTorso());
-  scene.mapper->SetErrorTolerance(1.0 / 64.0);
-  scene.Draw();
-  const double found = scene.mapper->GetUsedSampleDistance();
-  const int searches = scene.mapper->GetToleranceSearches();
-  scene.mapper->SetCommonSteps(0.4 * found, false);
-  scene.renderer->GetActiveCamera()->Azimuth(20.0);
-  scene.Draw();
-  EXPECT_DOUBLE_EQ(scene.mapper->GetUsedSampleDistance(), 0.4 * found);
-  EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches);
-  scene.mapper->SetCommonSteps(0.0, false);
-  scene.Draw();
-  EXPECT_EQ(scene.mapper->GetToleranceSearches(), searches + 1);
-}
-
-TEST(CommonSteps, AreFoundAsForTheImageThatFollows)
-{
-  MapperScene scene(SmallTorso());
-  double distance = 0.0;
-  bool preIntegration = true;
-  scene.Draw();
-  EXPECT_FALSE(scene.mapper->FindSteps(scene.renderer, scene.volume, distance, preIntegration));
-  scene.mapper->SetErrorTolerance(1.0 / 64.0);
-  scene.mapper->SetCommonSteps(0.01, true); // steps of an earlier image do not matter
-  ASSERT_TRUE(scene.mapper->FindSteps(scene.renderer, scene.volume, distance, preIntegration));
-  scene.mapper->SetCommonSteps(0.0, false);
-  scene.Draw();
-  EXPECT_DOUBLE_EQ(scene.mapper->GetUsedSampleDistance(), distance);
-  EXPECT_FALSE(preIntegration);
-}

@@ -5,6 +5,7 @@
 #include "March/MapperInternals.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
 
 #include <exception>
 #include <optional>
@@ -15,6 +16,11 @@ bool vtkVariationFieldVolumeMapper::FindSteps(
 {
   try
   {
+    // The renderer moves lights with the camera only while it draws.
+    if (renderer->GetLightFollowCamera())
+    {
+      renderer->UpdateLightsGeometryToFollowCamera();
+    }
     std::optional<varimarch::Frame> frame = varimarch::BuildFrame(this, renderer, volume);
     if (!frame || varimarch::IsInteractive(this, volume, *frame))
     {
