@@ -51,11 +51,11 @@ def times(folders):
         for process, name, seconds in TIME.findall(log):
             found[int(process)][name].append(float(seconds))
         for process, named in sorted(found.items()):
-            medians = [
+            least = [
                 f"{1000 * min(named[name]):.2f}"
                 for name in ("RENDER", "COMPOSITE", "BLEND", "COMPRESS", "COLLECT")
             ]
-            print("|", " | ".join([str(len(found)), str(process), *medians]), "|")
+            print("|", " | ".join([str(len(found)), str(process), *least]), "|")
 
 
 def exchanged_pixels(pixels, processes):
