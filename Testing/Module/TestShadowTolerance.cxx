@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 using namespace varimarch;
@@ -179,6 +180,39 @@ TEST(Shadows, AfterAnyChangeAreThoseOfANewVolume)
     EXPECT_EQ(after, fresh.scene.DrawByProcessor()) << change.name;
     EXPECT_NE(after, before) << change.name << ": nothing has changed";
   }
+}
+
+// Both arrays are of one image, so that no modification time tells them apart.
+TEST(Shadows, OfAnotherArrayAreItsOwn)
+{
+  const auto addMirrored = [](MapperScene& scene)
+  {
+    vtkDataArray* const scalars = scene.image->GetPointData()->GetScalars();
+    const auto mirrored = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
+    mirrored->DeepCopy(scalars);
+    mirrored->SetName("mirrored");
+    auto* const voxels = static_cast<short*>(mirrored->GetVoidPointer(0));
+    std::reverse(voxels, voxels + mirrored->GetNumberOfTuples());
+    scene.image->GetPointData()->AddArray(mirrored);
+  };
+  const auto drawMirrored = [](MapperScene& scene)
+  {
+    scene.mapper->SetScalarModeToUsePointFieldData();
+    scene.mapper->SelectScalarArray("mirrored");
+    return scene.DrawByProcessor();
+  };
+  ShadowedTorso kept(48);
+  ShadowedTorso fresh(48);
+  for (ShadowedTorso* torso : { &kept, &fresh })
+  {
+    torso->SetMostOpacity(0.1);
+    torso->scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    addMirrored(torso->scene);
+  }
+  const std::vector<float> before = kept.scene.DrawByProcessor();
+  const std::vector<float> after = drawMirrored(kept.scene);
+  EXPECT_EQ(after, drawMirrored(fresh.scene));
+  EXPECT_NE(after, before);
 }
 
 TEST(Shadows, KeepTheirLatticesUntilTheirLightChanges)

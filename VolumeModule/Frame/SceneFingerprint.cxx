@@ -42,6 +42,24 @@ double TimeOf(vtkObject* object)
   return object ? double(object->GetMTime()) : 0.0;
 }
 
+// A number that tells one object from another.
+double AddressOf(const void* object)
+{
+  return double(reinterpret_cast<std::uintptr_t>(object));
+}
+
+// The arrays that are drawn, and their times. Another array of the same image has no other time.
+Numbers VoxelsOf(const VoxelInput& voxels)
+{
+  Numbers numbers = { double(voxels.time), AddressOf(voxels.mask.labels), double(voxels.mask.time),
+    TimeOf(voxels.blanking.points), TimeOf(voxels.blanking.cells) };
+  for (const VoxelComponent& component : voxels.components)
+  {
+    Append(numbers, { AddressOf(component.array), double(component.index) });
+  }
+  return numbers;
+}
+
 // The lights, if anything is lit.
 Numbers LightsOf(const Frame& frame)
 {
@@ -107,8 +125,7 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
       if (!vtkVolume::SafeDownCast(prop))
       {
         Append(numbers,
-          { double(reinterpret_cast<std::uintptr_t>(prop)), double(prop->GetVisibility()),
-            double(prop->GetRedrawMTime()) });
+          { AddressOf(prop), double(prop->GetVisibility()), double(prop->GetRedrawMTime()) });
       }
     }
   }
@@ -121,9 +138,9 @@ std::vector<double> ExtinctionFingerprint(const Frame& frame)
 {
   vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
-  Numbers numbers = { double(frame.voxels.time), double(frame.voxels.mask.time),
-    TimeOf(frame.voxels.blanking.points), TimeOf(frame.voxels.blanking.cells),
-    double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 };
+  Numbers numbers = VoxelsOf(frame.voxels);
+  Append(numbers,
+    { double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 });
   Append(numbers, frame.material.NumbersOfExtinction());
   Append(numbers, frame.cuts.Numbers());
   Append(numbers, FunctionsOf(frame.material.property));
@@ -142,8 +159,7 @@ std::vector<double> ImageFingerprint(vtkVariationFieldVolumeMapper* mapper, cons
 {
   Numbers numbers = frame.fingerprint;
   Append(numbers,
-    { double(reinterpret_cast<std::uintptr_t>(frame.view.renderer)), TimeOf(mapper),
-      double(frame.settings.sceneGeometry) });
+    { AddressOf(frame.view.renderer), TimeOf(mapper), double(frame.settings.sceneGeometry) });
   Append(numbers, ViewOf(frame));
   if (frame.settings.sceneGeometry)
   {
