@@ -14,7 +14,8 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 setUp g++ cmake ninja-build ccache libglm-dev libtbb-dev libegl-dev libgl-dev libgtest-dev python3 \
   libegl1 libgl1-mesa-dri xvfb xauth
-config=$(find "$vtk" -path '*/cmake/*' -name vtk-config.cmake -printf '%h\n' | head -n 1)
+[ -d "$vtk" ] || fail "$vtk is no folder: expected one with a VTK"
+config=$(find "$vtk" -path '*/cmake/*' -name vtk-config.cmake -printf '%h\n' -quit)
 [ -n "$config" ] || fail "no VTK is in $vtk: expected a file cmake/*/vtk-config.cmake in it, found none"
 version=$(sed -n 's/^set(PACKAGE_VERSION "\(.*\)")/\1/p' "$config/vtk-config-version.cmake")
 build=build/vtk-$version
