@@ -142,6 +142,7 @@ public:
     this->column = RegionIndexOf(plane.originMm + plane.columnMm, image) - this->origin;
     this->row = RegionIndexOf(plane.originMm + plane.rowMm, image) - this->origin;
     this->interpolator->SetInterpolationModeToLinear();
+    this->interpolator->SetComponentCount(1); // volumes of colours have several
     this->interpolator->Initialize(image);
   }
 

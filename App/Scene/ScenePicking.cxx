@@ -30,6 +30,7 @@ public:
     , mask(mask)
   {
     this->interpolator->SetInterpolationModeToLinear();
+    this->interpolator->SetComponentCount(1); // volumes of colours have several
     this->interpolator->Initialize(image);
   }
 

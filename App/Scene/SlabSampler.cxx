@@ -19,6 +19,7 @@ SlabSampler::SlabSampler(vtkImageData* image, const SlabLook& look)
   this->stepMm = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
   this->steps = int(std::ceil(0.5 * look.slabMm / this->stepMm));
   this->interpolator->SetInterpolationModeToLinear();
+  this->interpolator->SetComponentCount(1); // volumes of colours have several
   this->interpolator->Initialize(image);
 }
 

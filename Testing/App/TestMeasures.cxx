@@ -155,6 +155,25 @@ TEST(Freehand, LeavesOutPixelsBesideTheVolume)
     << "without an area";
 }
 
+TEST(Freehand, ReadsTheFirstComponentOfAVolumeOfColours)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(10, 10, 2);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int i = 0; i < 800; ++i)
+  {
+    static_cast<unsigned char*>(image->GetScalarPointer())[i] = i % 4 == 0 ? 7 : 200;
+  }
+  const RegionStatistics found =
+    *ValuesOf({ MeasureKind::Freehand,
+                { { 0.5, 0.5, 0 }, { 8.5, 0.5, 0 }, { 8.5, 8.5, 0 }, { 0.5, 8.5, 0 } } },
+      image)
+       .statistics;
+  EXPECT_EQ(found.voxels, 64);
+  EXPECT_EQ(found.mean, 7.0);
+  EXPECT_EQ(found.largest, 7.0);
+}
+
 TEST(MeasureTable, HasALinePerMeasurementWithItsUnits)
 {
   LoadedVolume volume;
