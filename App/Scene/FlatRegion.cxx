@@ -189,9 +189,12 @@ private:
     const std::vector<double> crossings = this->Crossings(y);
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
     {
+      const double first = std::ceil(std::max(crossings[i], this->columns[0]));
       const double last = std::min(crossings[i + 1], this->columns[1]);
-      for (double x = std::ceil(std::max(crossings[i], this->columns[0])); x <= last; ++x)
+      // Far from the origin, a number may have no successor.
+      for (std::int64_t pixel = 0; double(pixel) <= last - first; ++pixel)
       {
+        const double x = first + double(pixel);
         this->AddPixel(this->origin + x * this->column + y * this->row, sums);
       }
     }
