@@ -1,5 +1,7 @@
 #include "Viewer/Model/MemoryLimit.h"
 
+#include "Scene/VolumeSource.h"
+
 #include <QSettings>
 
 #include <algorithm>
@@ -22,6 +24,15 @@ int ChosenMemoryGigabytes()
 void ChooseMemoryGigabytes(int gigabytes)
 {
   QSettings().setValue(MemoryKey, gigabytes);
+}
+
+FileSource WithinMemory(FileSource file)
+{
+  if (file.memoryMegabytes <= 0.0)
+  {
+    file.memoryMegabytes = 1e3 * ChosenMemoryGigabytes();
+  }
+  return file;
 }
 
 }

@@ -1,5 +1,7 @@
 #include "Viewer/Model/TimeSeries.h"
 
+#include "Viewer/Model/MemoryLimit.h"
+
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -112,8 +114,8 @@ void TimeSeries::Begin()
   const LoadedTimes& times = study->volume.times;
   if (times.AreSeveral())
   {
-    this->reader =
-      std::make_shared<TimeReader>(std::get<FileSource>(this->model->CurrentScene().volume));
+    this->reader = std::make_shared<TimeReader>(
+      WithinMemory(std::get<FileSource>(this->model->CurrentScene().volume)));
     this->kept.emplace(times.current, study->volume);
     this->sum = study->allTimes;
   }

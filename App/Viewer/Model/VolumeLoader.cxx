@@ -40,16 +40,10 @@ bool IsSegmentation(const SeriesSummary& series)
   return series.modality == "SEG";
 }
 
-// Reads a volume within the memory that the user allows, unless it states its own. A scene does not
-// keep the user's, which belongs to this computer.
-LoadedVolume LoadWithinMemory(VolumeSource source, const LoadObserver& observe)
+LoadedVolume LoadWithinMemory(const VolumeSource& source, const LoadObserver& observe)
 {
-  auto* const file = std::get_if<FileSource>(&source);
-  if (file && file->memoryMegabytes <= 0.0)
-  {
-    file->memoryMegabytes = 1e3 * ChosenMemoryGigabytes();
-  }
-  return LoadVolume(source, observe);
+  const auto* const file = std::get_if<FileSource>(&source);
+  return LoadVolume(file ? WithinMemory(*file) : source, observe);
 }
 
 // The volume as a study, with labels over it. Labels that cannot be read do not lose the volume.

@@ -1,5 +1,6 @@
 #include "Viewer/View/TimesMovie.h"
 
+#include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/View/Turntable.h"
 
 #include <numeric>
@@ -29,7 +30,7 @@ bool WriteTimesMovie(
   const TimesMovie& movie, const QString& path, const std::function<bool(double)>& onProgress)
 {
   const std::vector<int> times = TimesOfPictures(movie, path);
-  TimeReader reader(std::get<FileSource>(movie.scene.volume));
+  TimeReader reader(WithinMemory(std::get<FileSource>(movie.scene.volume)));
   PictureMaker maker(movie.scene, *movie.study, movie.options);
   int drawn = -1;
   QImage picture;
