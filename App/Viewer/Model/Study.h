@@ -6,6 +6,7 @@
 #include "Scene/SegmentStatistics.h"
 #include "Scene/VolumeLoading.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -27,7 +28,16 @@ struct Study
   std::shared_ptr<const ImageStatistics> allTimes = {};
 };
 
-/// The same study at another time of its volume.
+/// Voxels along each axis, and components of each.
+using VolumeSize = std::array<int, 4>;
+
+VolumeSize SizeOfVolume(const LoadedVolume& volume);
+
+/// Checks that a time has the size of the others, since labels, cuts and masks lie on their grid.
+/// @throws std::runtime_error with one sentence if it does not
+void CheckSizeOfTime(const LoadedVolume& ofTime, const VolumeSize& expected);
+
+/// The same study at another time of its volume, which has the same size.
 std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTime);
 
 /// Another form of a volume, with the overlays of that volume.

@@ -3,10 +3,7 @@
 #include "Viewer/Model/MemoryLimit.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace varimarch
@@ -14,29 +11,6 @@ namespace varimarch
 
 namespace
 {
-
-std::array<int, 4> SizeOf(const LoadedVolume& volume)
-{
-  const int* const sides = volume.image->GetDimensions();
-  return { sides[0], sides[1], sides[2], volume.image->GetNumberOfScalarComponents() };
-}
-
-std::string SizeText(const std::array<int, 4>& size)
-{
-  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-    std::to_string(size[2]) + " voxels of " + std::to_string(size[3]) + " components";
-}
-
-// Labels, cuts and masks lie on the grid of the scan.
-void CheckSize(int time, const std::array<int, 4>& expected, const LoadedVolume& volume)
-{
-  if (SizeOf(volume) != expected)
-  {
-    throw std::runtime_error("Cannot show the time of number " + std::to_string(time) +
-      ", counted from 0: expected " + SizeText(expected) + " as at the other times, found " +
-      SizeText(SizeOf(volume)));
-  }
-}
 
 std::uint64_t BytesOf(vtkImageData* image)
 {
@@ -193,7 +167,7 @@ void TimeSeries::ReadNext()
   }
   const int time = *next;
   const LoadedVolume& shown = this->model->CurrentStudy()->volume;
-  const auto size = SizeOf(shown);
+  const VolumeSize size = SizeOfVolume(shown);
   const bool counts = this->counted.count(time) == 0 && !shown.isOnDisk && !this->AreCounted();
   const auto found = std::make_shared<Found>();
   this->reading = time;
@@ -201,7 +175,7 @@ void TimeSeries::ReadNext()
     [found, time, size, counts, source = this->reader](const TaskProgress& progress)
     {
       found->volume = source->Read(time, progress);
-      CheckSize(time, size, found->volume);
+      CheckSizeOfTime(found->volume, size);
       if (counts)
       {
         found->statistics.emplace(found->volume.image);

@@ -40,7 +40,9 @@ bool WriteTimesMovie(
     if (time != drawn)
     {
       const double part = double(number) / double(times.size());
-      maker.ShowTime(reader.Read(time, [&](double) { return onProgress(part); }));
+      const LoadedVolume read = reader.Read(time, [&](double) { return onProgress(part); });
+      CheckSizeOfTime(read, SizeOfVolume(movie.study->volume));
+      maker.ShowTime(read);
       picture = maker.Draw();
       drawn = time;
     }
