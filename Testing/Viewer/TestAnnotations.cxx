@@ -202,6 +202,18 @@ TEST_F(Annotations, ACurveGoesOnInAnotherSlice)
 namespace
 {
 
+class PaintCounter : public QObject
+{
+public:
+  int count = 0;
+
+  bool eventFilter(QObject*, QEvent* event) override
+  {
+    this->count += event->type() == QEvent::Paint ? 1 : 0;
+    return false;
+  }
+};
+
 class Curved : public Annotations
 {
 protected:
@@ -277,4 +289,15 @@ TEST_F(Curved, IsTurnedByTheWheelAndTheKeys)
   this->model.History()->undo();
   EXPECT_EQ(this->model.CurrentScene().slices.curveTurnDegrees, 0.0);
   EXPECT_EQ(this->view.grab().toImage(), before);
+}
+
+TEST_F(Curved, IsDrawnAnewWithTheVoxelsOfAnotherTime)
+{
+  this->AddCurve();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&this->view));
+  QTest::qWait(50); // until it has been drawn
+  PaintCounter paints;
+  this->view.installEventFilter(&paints);
+  this->model.ShowTime(this->model.CurrentStudy()->volume);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return paints.count > 0; }));
 }

@@ -64,7 +64,7 @@ void CurvedView::Update(ScenePart part)
     this->path = ShownCurve(this->model->CurrentScene());
     this->update();
   }
-  if (part == ScenePart::Slices)
+  if (part == ScenePart::Slices || part == ScenePart::Voxels)
   {
     this->update();
   }
