@@ -45,6 +45,14 @@ protected:
     }
   }
 
+  qint64 ReportBytes()
+  {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("report.pdf");
+    WriteScanReport(&this->model, path);
+    return QFile(path).size();
+  }
+
   QListWidget* List() { return this->box.findChild<QListWidget*>(); }
   const std::vector<KeyImage>& All() const { return this->model.CurrentScene().keyImages; }
 
@@ -86,14 +94,22 @@ TEST_F(KeyImages, AreInTheReport)
   const QString html = ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy());
   EXPECT_TRUE(html.contains("<img src='key-image-1'"));
   EXPECT_FALSE(html.contains("DOE"));
-  const QTemporaryDir folder;
-  const auto bytes = [&]
-  {
-    const QString path = folder.filePath("report.pdf");
-    WriteScanReport(&this->model, path);
-    return QFile(path).size();
-  };
-  const qint64 withImage = bytes();
+  const qint64 withImage = this->ReportBytes();
   this->Press("Remove");
-  EXPECT_LT(bytes(), withImage - 2000) << "the image itself";
+  EXPECT_LT(this->ReportBytes(), withImage - 2000) << "the image itself";
+}
+
+TEST_F(KeyImages, DoNotShowTheNamesOfMeasurementsInTheReport)
+{
+  const auto bytesWithName = [this](const std::string& name)
+  {
+    this->model.Edit(ScenePart::Measures, "measure",
+      [&](Scene& scene)
+      {
+        scene.slices.crosshairMm = { { 0.0, 0.0, 0.0 } };
+        scene.measures = { { MeasureKind::Distance, { { -40, 0, 0 }, { 40, 0, 0 } }, name } };
+      });
+    return double(this->ReportBytes());
+  };
+  EXPECT_NEAR(bytesWithName(std::string(25, 'W')), bytesWithName(""), 500.0);
 }

@@ -1,5 +1,6 @@
 #include "Viewer/Reports/ScanReport.h"
 
+#include "Scene/MeasureKinds.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneNames.h"
 #include "Viewer/Model/KeyImageTexts.h"
@@ -100,6 +101,18 @@ QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
 
 // Names of measurements are left out; they may contain a patient's name. The words of annotations
 // are what they say.
+Scene WithoutNames(Scene scene)
+{
+  for (Measure& measure : scene.measures)
+  {
+    if (!TraitsOf(measure.kind).hasWords)
+    {
+      measure.name.clear();
+    }
+  }
+  return scene;
+}
+
 QString MeasureRows(const Scene& scene, const Study& study)
 {
   const MeasureTexts texts(scene, study.volume);
@@ -150,6 +163,13 @@ void AddSlices(QTextDocument& document, SceneModel* model)
   }
 }
 
+// Gives views a scene to show. Restored segments look as they did in their file.
+void ShowIn(SceneModel& model, const Scene& scene, const std::shared_ptr<const Study>& study)
+{
+  model.Restore(scene, study);
+  model.Edit(ScenePart::Volume, {}, [&](Scene& restored) { restored = scene; });
+}
+
 // The scene as it was when a key image was marked.
 Scene MarkedScene(const Scene& scene, const KeyImage& image)
 {
@@ -167,7 +187,7 @@ QImage PictureOf(const KeyImage& image, SceneModel* model)
     return PictureMaker(scene, *model->CurrentStudy(), { PictureSize, false, true }).Draw();
   }
   SceneModel marked;
-  marked.Restore(scene, model->CurrentStudy());
+  ShowIn(marked, scene, model->CurrentStudy());
   SliceView view(&marked, SlicePlane(int(image.view) - int(KeyView::Axial)));
   view.resize(SliceSize);
   return view.grab().toImage();
@@ -222,10 +242,12 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
 
 void WriteScanReport(SceneModel* model, const QString& path)
 {
-  const Scene& scene = model->CurrentScene();
+  SceneModel shown;
+  ShowIn(shown, WithoutNames(model->CurrentScene()), model->CurrentStudy());
+  const Scene& scene = shown.CurrentScene();
   QTextDocument document;
-  AddSlices(document, model);
-  AddKeyImages(document, model);
+  AddSlices(document, &shown);
+  AddKeyImages(document, &shown);
   PictureMaker maker(scene, *model->CurrentStudy(), { PictureSize, false, true });
   AddPicture(document, "picture", maker.Draw());
   document.setHtml(ScanReportHtml(scene, *model->CurrentStudy()));
