@@ -233,6 +233,16 @@ TEST_F(Tools, CancelAGestureWithEscape)
   EXPECT_FALSE(this->tools.Take(&escape)) << "nothing is left to cancel";
 }
 
+TEST_F(Tools, CancelNoEarlierStepWithEscape)
+{
+  this->tools.Choose(LeftButton::Distance);
+  this->DragAlong({ { 260, 150 }, { 200, 150 } });
+  QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, {});
+  this->Send(QEvent::MouseButtonPress, { 200, 150 });
+  EXPECT_TRUE(this->tools.Take(&escape));
+  EXPECT_EQ(this->model.CurrentScene().measures.size(), 1) << "its end was only pressed";
+}
+
 TEST_F(Tools, CutOutTheInsideOfAnOutline)
 {
   this->tools.Choose(LeftButton::CutOut);

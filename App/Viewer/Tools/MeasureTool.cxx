@@ -109,6 +109,7 @@ std::optional<MeasureTool::PointId> MeasureTool::PointNear(const QPointF& place)
 bool MeasureTool::Press(const QPointF& place)
 {
   this->gesture = NewGesture();
+  this->stepsBefore = this->model->History()->index();
   this->isNew = false;
   this->grabbed = this->PointNear(place);
   if (this->grabbed)
@@ -305,10 +306,11 @@ void MeasureTool::AskForWords(const QPointF& place)
   this->surface.AskForWords(place, take);
 }
 
+// A point that was pressed but not moved is no step.
 void MeasureTool::Cancel()
 {
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, true);
-  if (this->grabbed)
+  if (this->grabbed && this->model->History()->index() > this->stepsBefore)
   {
     this->model->History()->undo();
   }

@@ -61,6 +61,7 @@ private:
   MeasureKind kind = MeasureKind::Distance;
   std::size_t countBefore = 0; ///< measurements that there were when the kind was chosen
   int gesture = SceneModel::NoGesture;
+  int stepsBefore = 0; ///< undo steps before this gesture
   std::optional<PointId> grabbed;
   bool isNew = false; ///< true if this gesture made the grabbed measurement
   Point pressed = {};
