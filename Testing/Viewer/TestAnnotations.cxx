@@ -199,6 +199,20 @@ TEST_F(Annotations, ACurveGoesOnInAnotherSlice)
   EXPECT_EQ(this->All()[0].pointsMm.size(), 3) << "a click on a point adds none";
 }
 
+TEST_F(Annotations, ACurveThatIsOpenedOrHiddenDoesNotGoOn)
+{
+  this->axial.SetTool(LeftButton::Curve);
+  Scene saved = this->model.CurrentScene();
+  saved.measures = { { MeasureKind::Curve, { { 0, 0, 0 }, { 9, 9, 9 } } } };
+  this->model.Restore(saved, this->model.CurrentStudy());
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 60, 50 });
+  ASSERT_EQ(this->All().size(), 2);
+  this->model.Edit(
+    ScenePart::Measures, "hide", [](Scene& scene) { scene.measures[1].visible = false; });
+  QTest::mouseClick(&this->axial, Qt::LeftButton, {}, { 150, 110 });
+  EXPECT_EQ(this->All().size(), 3);
+}
+
 namespace
 {
 

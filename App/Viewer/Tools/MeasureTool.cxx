@@ -81,6 +81,11 @@ MeasureTool::MeasureTool(SceneModel* model, ToolSurface& surface)
 void MeasureTool::SetKind(MeasureKind newKind)
 {
   this->kind = newKind;
+  this->Forget();
+}
+
+void MeasureTool::Forget()
+{
   this->countBefore = this->model->CurrentScene().measures.size();
   this->begun.clear();
 }
@@ -160,12 +165,12 @@ void MeasureTool::BeginMeasure(std::vector<Point> points)
     int(TraitsOf(this->kind).fewestPoints) - 1 };
 }
 
-// True if the last measurement is a curve that was begun since the kind was chosen, in this view or
-// another.
+// True if the last measurement is a curve that is seen and was begun since the kind was chosen, in
+// this view or another.
 bool MeasureTool::Continues(const Scene& scene) const
 {
   return scene.measures.size() > this->countBefore &&
-    scene.measures.back().kind == MeasureKind::Curve &&
+    scene.measures.back().kind == MeasureKind::Curve && scene.measures.back().visible &&
     scene.measures.back().pointsMm.size() < MostMeasurePoints;
 }
 

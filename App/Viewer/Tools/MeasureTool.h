@@ -29,6 +29,9 @@ public:
   /// Sets the kind to make. The next press begins a new one, also of curves.
   void SetKind(MeasureKind newKind);
 
+  /// Forgets the points of what was begun, since the volume is another one.
+  void Forget();
+
   bool Press(const QPointF& place) override;
   void Drag(const QPointF& place) override;
   void Release(const QPointF& place) override;
@@ -59,7 +62,7 @@ private:
   SceneModel* model;
   ToolSurface& surface;
   MeasureKind kind = MeasureKind::Distance;
-  std::size_t countBefore = 0; ///< measurements that there were when the kind was chosen
+  std::size_t countBefore = 0; ///< measurements when the kind was chosen, or the volume
   int gesture = SceneModel::NoGesture;
   int stepsBefore = 0; ///< undo steps before this gesture
   std::optional<PointId> grabbed;

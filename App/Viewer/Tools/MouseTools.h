@@ -48,6 +48,9 @@ public:
   void Choose(LeftButton button);
   void ShowCutHandles(bool shown) { this->handles.SetShown(shown); }
 
+  /// Forgets what was begun, since the volume is another one.
+  void Forget() { this->measure.Forget(); }
+
   bool Measures() const { return this->chosen == &this->measure; }
 
   /// Returns true if a tool handled the mouse or keyboard event.

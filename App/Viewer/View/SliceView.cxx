@@ -50,6 +50,7 @@ void SliceView::Update(ScenePart part)
   if (part == ScenePart::Volume)
   {
     this->zoom = {};
+    this->measure.Forget();
   }
   if (part == ScenePart::Volume || part == ScenePart::Voxels || part == ScenePart::Measures)
   {

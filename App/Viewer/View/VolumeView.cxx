@@ -220,6 +220,7 @@ void VolumeView::TakeVolume()
   this->ApplyRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
   this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
+  this->tools.Forget();
   this->TakeCamera();
   this->Tell(ScenePart::Volume);
 }
