@@ -29,7 +29,8 @@ void ReadOlderList(const JsonCursor& scene, const OlderList& older, std::vector<
   const auto list = scene.Find(older.key);
   std::vector<std::string> keys = older.points;
   keys.emplace_back("name");
-  for (const JsonCursor& json : list ? list->Elements(0, MostMeasures) : std::vector<JsonCursor>())
+  constexpr std::size_t Most = MostMeasures / 3; // there were three kinds
+  for (const JsonCursor& json : list ? list->Elements(0, Most) : std::vector<JsonCursor>())
   {
     json.RequireObject(keys);
     Measure measure = { older.kind, {}, NameFromJson(json) };
@@ -65,7 +66,7 @@ std::vector<Measure> MeasuresFromJson(const JsonCursor& scene)
   ReadOlderList(scene, { "boxes", MeasureKind::Box, { "from", "to" } }, measures);
   if (const auto list = scene.Find("measures"))
   {
-    for (const JsonCursor& json : list->Elements(0, MostMeasures))
+    for (const JsonCursor& json : list->Elements(0, MostMeasures - measures.size()))
     {
       measures.push_back(MeasureFromJson(json));
     }

@@ -35,8 +35,8 @@ struct Measure
   bool visible = true;
 };
 
-/// Far more than anybody measures by hand.
-constexpr std::size_t MostMeasures = 1000;
+/// Far more than anybody measures by hand, and as many as older files can have.
+constexpr std::size_t MostMeasures = 3000;
 
 /// Points of an outline or a curve. Screens have fewer pixels along an edge.
 constexpr std::size_t MostMeasurePoints = 10000;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <string>
 
 using namespace varimarch;
 
@@ -52,6 +53,26 @@ TEST(MeasuresInFiles, AreReadFromOlderSessions)
   EXPECT_EQ(scene.measures[1].kind, MeasureKind::Angle);
   EXPECT_EQ(scene.measures[1].pointsMm[1], (std::array<double, 3>{ 4, 5, 6.5 }));
   EXPECT_EQ(scene.measures[2].kind, MeasureKind::Box);
+}
+
+TEST(MeasuresInFiles, AreReadBackHoweverManyAnOlderSessionHas)
+{
+  const auto listOf = [](const std::string& key, const std::string& element)
+  {
+    std::string list = ", \"" + key + "\": [" + element;
+    for (int i = 1; i < 1000; ++i)
+    {
+      list += ',' + element;
+    }
+    return list + ']';
+  };
+  const Scene older = SceneFromText(R"({ "volume": { "procedural": "torso" }, "look": "ct-bone")" +
+      listOf("distances", R"({ "from": [1, 2, 3], "to": [4, 5, 6] })") +
+      listOf("angles", R"({ "from": [1, 2, 3], "vertex": [4, 5, 6], "to": [7, 8, 9] })") +
+      listOf("boxes", R"({ "from": [1, 2, 3], "to": [4, 5, 6] })") + '}',
+    "test");
+  EXPECT_EQ(older.measures.size(), 3000);
+  EXPECT_EQ(SceneFromText(SceneText(older), "test").measures.size(), 3000);
 }
 
 TEST(MeasuresInFiles, AreRefusedWithoutTheirPoints)
