@@ -80,6 +80,25 @@ TEST_F(OpenedModel, AGestureThatEndsWhereItBeganIsNoStep)
   EXPECT_FALSE(this->model.History()->canRedo());
 }
 
+TEST_F(OpenedModel, APointThatIsDraggedBackIsNoStep)
+{
+  const auto dragTo = [this](double x, int gesture)
+  {
+    this->model.Edit(
+      ScenePart::Measures, "measure",
+      [x](Scene& scene) {
+        scene.measures = { { MeasureKind::Distance, { { 0, 0, 0 }, { x, 0, 0 } } } };
+      },
+      gesture);
+  };
+  dragTo(1.0, 7);
+  dragTo(2.0, 8);
+  dragTo(3.0, 8);
+  EXPECT_EQ(this->model.History()->count(), 2);
+  dragTo(1.0, 8);
+  EXPECT_EQ(this->model.History()->count(), 1);
+}
+
 TEST_F(OpenedModel, AnotherFormOfTheVolumeIsAStepThatKeepsTheRest)
 {
   this->Zoom(2.0);

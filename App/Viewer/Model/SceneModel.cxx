@@ -9,10 +9,33 @@
 #include <QUndoCommand>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace varimarch
 {
+
+namespace
+{
+
+std::vector<std::vector<std::array<double, 3>>> TakePoints(std::vector<Measure>& measures)
+{
+  std::vector<std::vector<std::array<double, 3>>> points;
+  for (Measure& measure : measures)
+  {
+    points.push_back(std::move(measure.pointsMm));
+    measure.pointsMm.clear();
+  }
+  return points;
+}
+
+// Outlines have so many points that their text would take longer than a move of the mouse.
+bool AreSame(Scene a, Scene b)
+{
+  return TakePoints(a.measures) == TakePoints(b.measures) && SceneText(a) == SceneText(b);
+}
+
+}
 
 // Scenes are small, so a step stores the whole scene before and after; no edit needs undo code of
 // its own.
@@ -50,7 +73,7 @@ public:
     }
     this->after = step->after;
     // Drop the step of a drag that returned to its start.
-    this->setObsolete(SceneText(this->before.scene) == SceneText(this->after.scene));
+    this->setObsolete(AreSame(this->before.scene, this->after.scene));
     return true;
   }
 
