@@ -18,12 +18,20 @@ namespace
 
 constexpr int PiecesPerSpan = 32; // straight pieces between two given points
 
+// The pieces between two points need coordinates that differ, so the points must not be so close
+// that few digits of theirs do.
+bool AreDistinct(const glm::dvec3& a, const glm::dvec3& b)
+{
+  constexpr double SmallestPart = 1e-9;
+  return glm::distance(a, b) > SmallestPart * (1.0 + glm::length(a));
+}
+
 std::vector<glm::dvec3> DistinctPoints(const std::vector<std::array<double, 3>>& pointsMm)
 {
   std::vector<glm::dvec3> points;
   for (const std::array<double, 3>& point : pointsMm)
   {
-    if (points.empty() || VectorOf(point) != points.back())
+    if (points.empty() || AreDistinct(points.back(), VectorOf(point)))
     {
       points.push_back(VectorOf(point));
     }
@@ -155,7 +163,9 @@ CurvePath::Place CurvePath::At(double distanceMm, double turnDegrees) const
     spanMm > 0.0 ? std::clamp((distanceMm - this->lengthsMm[i]) / spanMm, 0.0, 1.0) : 0.0;
   const auto between = [&](const std::vector<glm::dvec3>& of)
   { return glm::mix(of[i], of[i + 1], part); };
-  const glm::dvec3 direction = glm::normalize(between(this->along));
+  const glm::dvec3 mixedAlong = between(this->along);
+  const bool turnsBack = glm::length(mixedAlong) == 0.0;
+  const glm::dvec3 direction = turnsBack ? this->along[i] : glm::normalize(mixedAlong);
   const glm::dvec3 mixed = between(this->across);
   const glm::dvec3 straight = glm::normalize(mixed - glm::dot(mixed, direction) * direction);
   return { between(this->points), direction,

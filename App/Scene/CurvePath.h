@@ -16,7 +16,7 @@ namespace varimarch
 class CurvePath
 {
 public:
-  /// @param pointsMm  at least one; a point that repeats the one before is left out
+  /// @param pointsMm  at least one; a point at the place of the one before is left out
   explicit CurvePath(const std::vector<std::array<double, 3>>& pointsMm);
 
   double LengthMm() const { return this->lengthsMm.back(); }

@@ -125,8 +125,21 @@ TEST(Curve, KeepsTheDirectionAcrossItInAPlane)
 TEST(Curve, ReturnsTheWayItCame)
 {
   const CurvePath path({ { 0, 0, 0 }, { 10, 0, 0 }, { 0, 0, 0 } });
-  const CurvePath::Place place = path.At(0.75 * path.LengthMm(), 0.0);
-  EXPECT_TRUE(std::isfinite(place.pointMm.x) && std::isfinite(place.across.x));
+  // The last is in the middle of the first piece of the way back.
+  const double firstPieceMm = glm::distance(path.Points()[32], path.Points()[33]);
+  for (const double distanceMm : { 15.0, 10.0, 10.0 + 0.5 * firstPieceMm })
+  {
+    const CurvePath::Place place = path.At(distanceMm, 0.0);
+    EXPECT_TRUE(std::isfinite(place.pointMm.x) && std::isfinite(place.across.x)) << distanceMm;
+  }
+}
+
+TEST(Curve, LeavesOutPointsThatCoincideButForRounding)
+{
+  const CurvePath path(
+    { { 100, 0, 0 }, { std::nextafter(100.0, 101.0), 0, 0 }, { 110, 0, 0 }, { 120, 0, 0 } });
+  EXPECT_NEAR(path.LengthMm(), 20.0, 1e-9);
+  EXPECT_NEAR(path.At(5.0, 0.0).along.x, 1.0, 1e-12);
 }
 
 TEST(CurvedPicture, ShowsACurvedTubeStraight)
