@@ -10,9 +10,14 @@ std::string UnitOf(const LoadedVolume& volume)
   return volume.modality == "CT" ? "HU" : volume.uptakeValueFactor > 0.0 ? "SUV" : "";
 }
 
+double FactorToUnit(const LoadedVolume& volume)
+{
+  return volume.uptakeValueFactor > 0.0 ? volume.uptakeValueFactor : 1.0;
+}
+
 RegionStatistics InUnits(RegionStatistics statistics, const LoadedVolume& volume)
 {
-  const double factor = volume.uptakeValueFactor > 0.0 ? volume.uptakeValueFactor : 1.0;
+  const double factor = FactorToUnit(volume);
   statistics.mean *= factor;
   statistics.standardDeviation *= factor;
   statistics.smallest *= factor;

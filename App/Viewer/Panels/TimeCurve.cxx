@@ -1,5 +1,6 @@
 #include "Viewer/Panels/TimeCurve.h"
 
+#include "Scene/MeasureUnits.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePicking.h"
 #include "Viewer/Model/NumberText.h"
@@ -100,19 +101,18 @@ std::vector<std::optional<double>> TimeCurve::Values() const
   std::vector<std::optional<double>> values(shown.times.values.size());
   for (const auto& [time, volume] : this->series->Kept())
   {
-    const double factor = volume.uptakeValueFactor > 0.0 ? volume.uptakeValueFactor : 1.0;
-    const std::optional<double> value = ValueAt(volume.image, point);
-    values[std::size_t(time)] = value ? std::optional<double>(factor * *value) : std::nullopt;
+    if (const std::optional<double> value = ValueAt(volume.image, point))
+    {
+      values[std::size_t(time)] = FactorToUnit(volume) * *value;
+    }
   }
   return values;
 }
 
 QString TimeCurve::Unit() const
 {
-  const LoadedVolume& volume = this->model->CurrentStudy()->volume;
-  return volume.modality == "CT"     ? QStringLiteral("HU")
-    : volume.uptakeValueFactor > 0.0 ? QStringLiteral("SUV")
-                                     : tr("value");
+  const std::string unit = UnitOf(this->model->CurrentStudy()->volume);
+  return unit.empty() ? tr("value") : QString::fromStdString(unit);
 }
 
 QString TimeCurve::Csv() const
