@@ -15,7 +15,9 @@
 #include <QTableWidget>
 
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 
 #include <gtest/gtest.h>
 
@@ -83,6 +85,22 @@ TEST_F(Measures, GiveTheUnitOfABoxAndSayThatItIsAMean)
   EXPECT_TRUE(ofCt.section('\n', 0, 0).endsWith(" HU")) << ofCt.toStdString();
   volume.modality = "MR";
   EXPECT_FALSE(MeasureTexts(this->model.CurrentScene(), volume).labels.at(2).contains("HU"));
+}
+
+TEST_F(Measures, KeepTheirValuesWhileOthersAreEdited)
+{
+  const QString ofBox = this->Text(2, 1);
+  // The viewer never changes voxels; here they tell which statistics are made anew.
+  this->model.CurrentStudy()->volume.image->GetPointData()->GetScalars()->Fill(77.0);
+  this->model.Edit(ScenePart::Measures, "measure",
+    [](Scene& scene)
+    {
+      scene.measures[0].pointsMm[1] = { 6, 8, 0 };
+      scene.measures.push_back(scene.measures[2]);
+    });
+  EXPECT_EQ(this->Text(0, 1), "10.0 mm");
+  EXPECT_EQ(this->Text(2, 1), ofBox);
+  EXPECT_TRUE(this->Text(3, 1).startsWith("mean 77 ")) << this->Text(3, 1).toStdString();
 }
 
 // Overlapping labels would share pixels.

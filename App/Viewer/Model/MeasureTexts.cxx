@@ -7,8 +7,6 @@
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/Study.h"
 
-#include <vtkImageData.h>
-
 #include <map>
 
 namespace varimarch
@@ -128,17 +126,35 @@ QString SegmentText(
 
 }
 
-MeasureTexts::MeasureTexts(const Scene& scene, const LoadedVolume& volume)
+MeasureTexts::MeasureTexts(
+  const Scene& scene, const LoadedVolume& volume, const MeasureTexts& earlier)
+  : image(volume.image)
 {
   for (const Measure& measure : scene.measures)
   {
-    const MeasureText text =
-      TextsOf(InUnits(ValuesOf(measure, volume.image), volume), UnitText(volume));
+    const std::size_t number = this->known.size();
+    if (earlier.AreKnown(number, measure, volume.image))
+    {
+      this->known.push_back(earlier.known[number]);
+    }
+    else
+    {
+      const auto [value, label] =
+        TextsOf(InUnits(ValuesOf(measure, volume.image), volume), UnitText(volume));
+      this->known.push_back({ measure.kind, measure.pointsMm, value, label });
+    }
+    const ValueTexts& texts = this->known.back();
     const QString name = QString::fromStdString(measure.name);
-    const QString separator = name.isEmpty() || text.label.isEmpty() ? "" : ": ";
-    this->values.append(TraitsOf(measure.kind).hasWords ? name : text.value);
-    this->labels.append(name + separator + text.label);
+    const QString separator = name.isEmpty() || texts.label.isEmpty() ? "" : ": ";
+    this->values.append(TraitsOf(measure.kind).hasWords ? name : texts.value);
+    this->labels.append(name + separator + texts.label);
   }
+}
+
+bool MeasureTexts::AreKnown(std::size_t number, const Measure& measure, vtkImageData* ofImage) const
+{
+  return this->image == ofImage && number < this->known.size() &&
+    this->known[number].kind == measure.kind && this->known[number].pointsMm == measure.pointsMm;
 }
 
 QString TitleOf(MeasureKind kind)

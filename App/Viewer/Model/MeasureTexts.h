@@ -7,7 +7,11 @@
 #include <QString>
 #include <QStringList>
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
+#include <vector>
 
 namespace varimarch
 {
@@ -16,21 +20,39 @@ struct LoadedVolume;
 struct RegionStatistics;
 struct Study;
 
-/// Texts of the measurements, one for each in the order of the scene. They are made once per edit,
-/// since statistics read many voxels.
-struct MeasureTexts
+/// Texts of the measurements, one for each in the order of the scene.
+class MeasureTexts
 {
   Q_DECLARE_TR_FUNCTIONS(MeasureTexts)
 
 public:
   MeasureTexts() = default;
-  MeasureTexts(const Scene& scene, const LoadedVolume& volume);
+
+  /// @param earlier  texts whose values are kept where volume and measurement are the same, since
+  /// statistics read many voxels
+  MeasureTexts(
+    const Scene& scene, const LoadedVolume& volume, const MeasureTexts& earlier = MeasureTexts());
 
   /// "12.3 mm", "45.0°", the words of annotations, or two lines: "mean 312 ± 45 HU, from 10 to
   /// 420 HU", "1.23 ml, 1482 voxels".
   QStringList values;
   /// For images: "aorta: 12.3 mm", without extremes and counts. They may be empty.
   QStringList labels;
+
+private:
+  /// The texts of the values of a measurement, without its name.
+  struct ValueTexts
+  {
+    MeasureKind kind;
+    std::vector<std::array<double, 3>> pointsMm;
+    QString value;
+    QString label;
+  };
+
+  bool AreKnown(std::size_t number, const Measure& measure, vtkImageData* ofImage) const;
+
+  vtkSmartPointer<vtkImageData> image;
+  std::vector<ValueTexts> known;
 };
 
 /// The name of a kind of measurement: "Distance".

@@ -90,6 +90,12 @@ SceneModel::SceneModel(QObject* parent)
 {
 }
 
+const MeasureTexts& SceneModel::Texts()
+{
+  this->texts = MeasureTexts(this->state.scene, this->state.study->volume, this->texts);
+  return this->texts;
+}
+
 void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> opened)
 {
   Scene first;

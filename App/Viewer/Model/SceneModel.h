@@ -4,6 +4,7 @@
 #include "Scene/Scene.h"
 #include "Scene/SegmentEditing.h"
 #include "Viewer/Model/Gesture.h"
+#include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/Study.h"
 
 #include <QObject>
@@ -62,6 +63,9 @@ public:
   /// Null before the first volume.
   std::shared_ptr<const Study> CurrentStudy() const { return this->state.study; }
   const Scene& CurrentScene() const { return this->state.scene; }
+
+  /// Texts of the measurements, which are made once for all views.
+  const MeasureTexts& Texts();
 
   /// Replaces the volume, chooses a preset that suits it, and clears the undo history.
   void Open(const VolumeSource& source, std::shared_ptr<const Study> opened);
@@ -180,6 +184,7 @@ private:
 
   State state;
   std::shared_ptr<const Study> exchanged;
+  MeasureTexts texts;
   int edited = 0;
   /// Versions of labels by the files that they were read from, or written to last.
   std::map<std::string, int> versionsInFiles;

@@ -79,7 +79,7 @@ void MeasuresPanel::Show(ScenePart part)
   const QSignalBlocker quiet(this->table);
   const int row = this->table->currentRow();
   const int rowsBefore = this->table->rowCount();
-  const MeasureTexts texts(scene, this->model->CurrentStudy()->volume);
+  const MeasureTexts& texts = this->model->Texts();
   this->table->setRowCount(0);
   for (int i = 0; i < texts.values.size(); ++i)
   {

@@ -54,7 +54,7 @@ void SliceView::Update(ScenePart part)
   }
   if (part == ScenePart::Volume || part == ScenePart::Voxels || part == ScenePart::Measures)
   {
-    this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
+    this->texts = this->model->Texts();
     this->update();
   }
   if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments ||

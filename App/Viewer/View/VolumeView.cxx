@@ -200,7 +200,7 @@ bool VolumeView::Takes(ScenePart part)
 
 void VolumeView::TakeMeasures()
 {
-  this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
+  this->texts = this->model->Texts();
   this->overlay->update();
 }
 
@@ -219,7 +219,7 @@ void VolumeView::TakeVolume()
   this->events->Connect(this->pipeline->Mapper(), GraphicsResetEvent, this, SLOT(LoseGraphics()));
   this->ApplyRefining();
   this->window->AddRenderer(this->pipeline->Renderer());
-  this->texts = MeasureTexts(this->model->CurrentScene(), this->model->CurrentStudy()->volume);
+  this->texts = this->model->Texts();
   this->tools.Forget();
   this->TakeCamera();
   this->Tell(ScenePart::Volume);
