@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace varimarch
 {
@@ -26,8 +27,8 @@ bool LabelPlaces::IsFree(const QRectF& place) const
     [&](const QRectF& other) { return other.intersects(place); });
 }
 
-// Upper left corners at steps of a line and of a part of the width, the nearest first.
-std::vector<QPointF> LabelPlaces::CornersNear(const QRectF& wanted) const
+// Looks at corners at steps of a line and of a part of the width.
+std::optional<QPointF> LabelPlaces::NearestFree(const QRectF& wanted) const
 {
   constexpr double PartOfWidth = 0.25;
   const QPointF step(
@@ -35,19 +36,23 @@ std::vector<QPointF> LabelPlaces::CornersNear(const QRectF& wanted) const
   const QPointF last = this->inside.bottomRight() - QPointF(wanted.width(), wanted.height());
   const auto first = [](double from, double at, double of)
   { return at - std::floor((at - from) / of) * of; };
-  std::vector<QPointF> corners;
+  std::optional<QPointF> nearest;
+  double least = std::numeric_limits<double>::infinity();
   for (double y = first(this->inside.top(), wanted.top(), step.y()); y <= last.y(); y += step.y())
   {
     for (double x = first(this->inside.left(), wanted.left(), step.x()); x <= last.x();
          x += step.x())
     {
-      corners.emplace_back(x, y);
+      const QPointF corner(x, y);
+      const double distance = QLineF(corner, wanted.topLeft()).length();
+      if (distance < least && this->IsFree({ corner, wanted.size() }))
+      {
+        nearest = corner;
+        least = distance;
+      }
     }
   }
-  std::sort(corners.begin(), corners.end(),
-    [&](const QPointF& a, const QPointF& b)
-    { return QLineF(a, wanted.topLeft()).length() < QLineF(b, wanted.topLeft()).length(); });
-  return corners;
+  return nearest;
 }
 
 std::optional<QRectF> LabelPlaces::Take(const QRectF& wanted)
@@ -67,12 +72,8 @@ std::optional<QRectF> LabelPlaces::Take(const QRectF& wanted)
     std::clamp(wanted.top(), this->inside.top(), this->inside.bottom() - size.height()));
   if (!this->IsFree(place))
   {
-    const std::vector<QPointF> corners = this->CornersNear(place);
-    const auto free = std::find_if(corners.begin(), corners.end(),
-      [&](const QPointF& corner) {
-        return this->IsFree({ corner, size });
-      });
-    if (free == corners.end())
+    const std::optional<QPointF> free = this->NearestFree(place);
+    if (!free)
     {
       this->tooLarge = size;
       return std::nullopt;

@@ -20,7 +20,8 @@ public:
 
 private:
   bool IsFree(const QRectF& place) const;
-  std::vector<QPointF> CornersNear(const QRectF& wanted) const;
+  /// The upper left corner of the nearest free place; empty if none is free.
+  std::optional<QPointF> NearestFree(const QRectF& wanted) const;
 
   QRectF inside;
   std::vector<QRectF> taken;
