@@ -80,6 +80,8 @@ protected:
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void childEvent(QChildEvent* event) override;
+  /// Remembers the view that was clicked last, or had the keys.
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   struct MenuTool;
@@ -209,7 +211,8 @@ private:
   ViewMenu* viewMenu;
   std::vector<QDockWidget*> panels;
   KeyImagesBox* keyImages;
-  QDockWidget* curvedDock; ///< holds the view along a curve
+  KeyView lastView = KeyView::Volume; ///< clicked last, or had the keys
+  QDockWidget* curvedDock;            ///< holds the view along a curve
   QProgressBar* progress;
   QPushButton* cancel;
 };

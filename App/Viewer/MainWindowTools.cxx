@@ -15,6 +15,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace varimarch
 {
 
@@ -34,6 +36,11 @@ void MainWindow::MakeToolMenu()
   menu->addSeparator();
   menu->addAction(tr("&Mark a key image"), this, &MainWindow::MarkKeyImage, QKeySequence("Ctrl+M"))
     ->setObjectName("markKeyImage");
+  this->view->Ours()->installEventFilter(this);
+  for (SliceView* const slice : this->sliceViews)
+  {
+    slice->installEventFilter(this);
+  }
   menu->addSeparator();
   this->MakeComparisonActions(menu);
 }
@@ -113,16 +120,22 @@ QAction* MainWindow::MakeToolAction(const MenuTool& tool, QMenu* menu, QActionGr
   return action;
 }
 
-// The slice that has the keys, otherwise the volume.
 void MainWindow::MarkKeyImage()
 {
-  KeyView view = KeyView::Volume;
-  for (std::size_t i = 0; i < this->sliceViews.size(); ++i)
+  this->keyImages->Mark(this->lastView);
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::FocusIn)
   {
+    const auto slice = std::find(this->sliceViews.begin(), this->sliceViews.end(), watched);
     // The views are in the order of the planes.
-    view = this->sliceViews[i]->hasFocus() ? KeyView(i + 1) : view;
+    this->lastView = slice == this->sliceViews.end()
+      ? KeyView::Volume
+      : KeyView(int(KeyView::Axial) + int(slice - this->sliceViews.begin()));
   }
-  this->keyImages->Mark(view);
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::MakeComparisonActions(QMenu* menu)

@@ -7,6 +7,8 @@
 #include "Viewer/View/ViewLayout.h"
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
@@ -99,4 +101,20 @@ TEST_F(Window, TellsItsKeysAndWhatTheMouseDoes)
   {
     EXPECT_TRUE(text->toPlainText().contains(line)) << line;
   }
+}
+
+TEST_F(Window, MarksTheViewThatWasClickedLast)
+{
+  this->OpenTorso();
+  auto* const mark = this->window.findChild<QAction*>("markKeyImage");
+  QTest::mouseClick(this->window.findChildren<SliceView*>()[1], Qt::LeftButton);
+  // Whatever takes the keys then.
+  this->window.findChild<QComboBox*>()->setFocus();
+  mark->trigger();
+  QTest::mouseClick(this->View(), Qt::LeftButton);
+  mark->trigger();
+  const std::vector<KeyImage>& marked = this->Model()->CurrentScene().keyImages;
+  ASSERT_EQ(marked.size(), 2);
+  EXPECT_EQ(marked[0].view, KeyView::Coronal);
+  EXPECT_EQ(marked[1].view, KeyView::Volume);
 }
