@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QImage>
+#include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
 #include <QTableWidget>
@@ -101,6 +102,21 @@ TEST_F(Measures, KeepTheirValuesWhileOthersAreEdited)
   EXPECT_EQ(this->Text(0, 1), "10.0 mm");
   EXPECT_EQ(this->Text(2, 1), ofBox);
   EXPECT_TRUE(this->Text(3, 1).startsWith("mean 77 ")) << this->Text(3, 1).toStdString();
+}
+
+TEST_F(Measures, ChangeTheirValuesWithTheTimeWhileANameIsTyped)
+{
+  this->panel.show();
+  this->Table()->editItem(this->Table()->item(1, 0));
+  auto* const line = this->Table()->findChild<QLineEdit*>();
+  ASSERT_TRUE(line && line->isVisible());
+  LoadedVolume later = this->model.CurrentStudy()->volume;
+  later.image = vtkSmartPointer<vtkImageData>::New();
+  later.image->DeepCopy(this->model.CurrentStudy()->volume.image);
+  later.image->GetPointData()->GetScalars()->Fill(77.0);
+  this->model.ShowTime(later);
+  EXPECT_TRUE(this->Text(2, 1).startsWith("mean 77 ")) << this->Text(2, 1).toStdString();
+  EXPECT_TRUE(line->isVisible());
 }
 
 // Overlapping labels would share pixels.

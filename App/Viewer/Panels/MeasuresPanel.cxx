@@ -70,8 +70,11 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
 void MeasuresPanel::Show(ScenePart part)
 {
   const Scene& scene = this->model->CurrentScene();
-  const bool changesValues = part == ScenePart::Voxels && !scene.measures.empty();
-  if (part != ScenePart::Volume && part != ScenePart::Measures && !changesValues)
+  if (part == ScenePart::Voxels)
+  {
+    this->ShowValues();
+  }
+  if (part != ScenePart::Volume && part != ScenePart::Measures)
   {
     return;
   }
@@ -91,6 +94,20 @@ void MeasuresPanel::Show(ScenePart part)
   for (QPushButton* const button : { this->goTo, this->remove, this->removeAll, this->save })
   {
     button->setEnabled(rows > 0);
+  }
+}
+
+// The rows stay, since the user may be typing a name while times are played.
+void MeasuresPanel::ShowValues()
+{
+  const QSignalBlocker quiet(this->table);
+  const QStringList& values = this->model->Texts().values;
+  for (int row = 0; row < this->table->rowCount(); ++row)
+  {
+    if (!TraitsOf(this->model->CurrentScene().measures[row].kind).hasWords)
+    {
+      this->table->item(row, 1)->setText(values[row]);
+    }
   }
 }
 

@@ -26,6 +26,7 @@ signals:
 
 private:
   void Show(ScenePart part);
+  void ShowValues();
   void AddRow(const Measure& measure, const QString& text);
   void Change(QTableWidgetItem* item);
   void GoToSelected();
