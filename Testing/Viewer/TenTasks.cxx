@@ -112,7 +112,7 @@ public:
     this->Press("toolRegion");
     this->hand.Type(this->Reachable<QWidget>("smallestValue"), "-400");
     this->hand.Click(slice, PlaceOf(*slice, TaskScans::Nodule()));
-    const auto ml = [this] // of a ball with a radius of 9 mm, which has 3.05 ml
+    const auto ml = [this] // a ball with a radius of 9 mm has 3.05 ml
     {
       const auto& statistics = this->Model()->CurrentStudy()->segmentStatistics;
       return statistics.empty() ? 0.0 : statistics.front().volumeMm3 / 1000.0;
