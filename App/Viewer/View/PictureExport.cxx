@@ -108,7 +108,7 @@ std::string AnonymousText(Scene scene)
 
 PictureMaker::PictureMaker(const Scene& scene, const Study& study, const ExportOptions& options)
   : scene(OfSize(scene, options.pixels))
-  , study(std::make_shared<const Study>(study))
+  , volume(study.volume)
   , options(options)
 {
   const DrawingWithoutDisplay drawing;
@@ -142,7 +142,7 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
   if (this->options.overlay)
   {
     DrawOverlay(painter,
-      { this->scene, MeasureTexts(this->scene, this->study->volume), this->study->volume.image },
+      { this->scene, MeasureTexts(this->scene, this->volume), this->volume.image },
       FrameOf(this->view->Pipeline().Renderer()->GetActiveCamera(), size),
       this->view->Pipeline().Mask());
   }
@@ -155,7 +155,7 @@ QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
 void PictureMaker::ShowTime(const LoadedVolume& ofTime)
 {
   const DrawingWithoutDisplay drawing;
-  this->study = AtTime(*this->study, ofTime);
+  this->volume = ofTime;
   std::get<FileSource>(this->scene.volume).time = ofTime.times.current;
   this->view->Pipeline().SetImage(ofTime.image);
 }

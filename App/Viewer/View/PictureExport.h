@@ -3,13 +3,13 @@
 
 #include "Scene/OffscreenView.h"
 #include "Scene/Scene.h"
+#include "Scene/VolumeLoading.h"
 
 #include <QDialog>
 #include <QImage>
 #include <QSize>
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 class QCheckBox;
@@ -20,7 +20,6 @@ namespace varimarch
 {
 
 class SceneModel;
-struct LoadedVolume;
 struct Study;
 
 struct ExportOptions
@@ -55,7 +54,7 @@ public:
 
 private:
   Scene scene;
-  std::shared_ptr<const Study> study;
+  LoadedVolume volume;
   ExportOptions options;
   std::optional<OffscreenView> view;
 };
