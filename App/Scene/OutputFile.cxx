@@ -69,7 +69,11 @@ std::string unfinishedFolder;
   const std::lock_guard<std::mutex> lock(interruptMutex);
   DeleteUnfinishedFile();
   std::error_code ignored;
-  fs::remove_all(unfinishedFolder, ignored);
+  constexpr int MostTries = 100; // other threads may add files meanwhile
+  for (int tries = 0; tries < MostTries && fs::exists(unfinishedFolder, ignored); ++tries)
+  {
+    fs::remove_all(unfinishedFolder, ignored);
+  }
   Print(interruptNotice);
   // With the default action, the parent process sees the signal that ended the program.
   std::signal(signal, SIG_DFL);

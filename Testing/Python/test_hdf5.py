@@ -133,7 +133,7 @@ def bad_hdf5_is_one_sentence(folder):
     expect_refused(path, "three axes")
     with h5py.File(path, "w") as file:
         file.create_dataset("a", shape=(2**20,) * 3, chunks=(64,) * 3, dtype="u2")
-    expect_refused(path, "fits in the memory")
+    expect_refused(path, "in the memory of")
     write_imaris(path, values_of((7, 9, 11), "u2"))
     with h5py.File(path, "r+") as file:
         del file["DataSetInfo/Image"].attrs["ExtMax1"]

@@ -192,7 +192,8 @@ VoxelFile VoxelFileOf(const MifHeader& header, bool bigEndian)
     : IntegerFromText(header.path, "an offset after the file's name", value.substr(blank + 1));
   if (name.empty() || file.fileOffset < 0)
   {
-    FailToRead(header.path, "the name of a file, or a dot for this file, and an offset", Quoted(value));
+    FailToRead(
+      header.path, "the name of a file, or a dot for this file, and an offset", Quoted(value));
   }
   file.bigEndian = bigEndian;
   ArrangeVolumes(header, file);
