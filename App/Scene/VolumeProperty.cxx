@@ -115,12 +115,13 @@ Look Resolved(const Look& look, const std::function<double(double)>& valueOf, do
 }
 
 // The air beside a patient makes the first slice of nearly any CT negative. It spares counting all
-// voxels, which may be in a file.
+// voxels, which may be in a file. False for an image without values, which counting refuses.
 bool BeginsWithNegativeValues(vtkImageData* image)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();
   const int* const count = image->GetDimensions();
-  const vtkIdType inSlice = std::min(vtkIdType(count[0]) * count[1], values->GetNumberOfTuples());
+  const vtkIdType inSlice =
+    values ? std::min(vtkIdType(count[0]) * count[1], values->GetNumberOfTuples()) : 0;
   for (vtkIdType i = 0; i < inSlice; ++i)
   {
     if (values->GetComponent(i, 0) < 0.0)
