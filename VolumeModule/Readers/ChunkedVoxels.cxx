@@ -170,7 +170,8 @@ void ChunkedVoxels::Serve()
   }
 }
 
-// No other thread provides a unit, so that the lock is not held while it is read.
+// No other thread provides a unit, so that the lock is not held while it is read and put there.
+// MappedMemory needs the lock to drop others, for which pages have to wait where memory is short.
 void ChunkedVoxels::Provide(std::size_t unit)
 {
   {
@@ -182,12 +183,16 @@ void ChunkedVoxels::Provide(std::size_t unit)
   }
   try
   {
-    this->IsOfZeros(unit) ? this->PutZeros(unit) : this->PutVoxels(unit);
+    const bool isOfZeros = this->IsOfZeros(unit);
+    isOfZeros ? this->PutZeros(unit) : this->PutVoxels(unit);
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    this->states[unit] = { isOfZeros ? State::Kept : State::Read, TimeNow() };
   }
   catch (const std::exception& error)
   {
     this->PutZeros(unit);
     const std::lock_guard<std::mutex> lock(this->mutex);
+    this->states[unit].state = State::Kept;
     this->problem = error.what();
     this->problem.resize(this->problem.find_last_not_of('.') + 1);
     this->problem += "; voxels that are missing count as 0. Open the volume again when it is whole";
@@ -218,7 +223,6 @@ void ChunkedVoxels::PutVoxels(std::size_t unit)
   const std::size_t ownSlice = BytesOfSlice(own, box);
   const std::size_t sliceBehind = boxBehind ? BytesOfSlice(behind, *boxBehind) : 0;
   std::vector<char> bytes;
-  const std::lock_guard<std::mutex> lock(this->mutex);
   for (std::int64_t slice = box.lower[2]; slice < box.upper[2]; ++slice)
   {
     const auto number = std::size_t(slice - box.lower[2]);
@@ -233,19 +237,16 @@ void ChunkedVoxels::PutVoxels(std::size_t unit)
     bytes.resize(run.end - run.begin);
     this->faults->Put(this->pages + run.begin, bytes.data(), bytes.size());
   }
-  this->states[unit] = { State::Read, TimeNow() };
 }
 
 void ChunkedVoxels::PutZeros(std::size_t unit)
 {
-  const std::lock_guard<std::mutex> lock(this->mutex);
   const BrickSource::Box box = this->units.BoxOf(unit);
   for (std::int64_t slice = box.lower[2]; slice < box.upper[2]; ++slice)
   {
     const VoxelUnits::Run run = this->units.RunOf(unit, slice);
     this->faults->PutZeros(this->pages + run.begin, run.end - run.begin);
   }
-  this->states[unit].state = State::Kept;
 }
 
 }

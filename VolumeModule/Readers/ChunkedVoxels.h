@@ -65,7 +65,7 @@ private:
   std::size_t voxelBytes;
   VoxelUnits units;
   std::optional<PageFaults> faults;
-  mutable std::mutex mutex; ///< held to change states and pages, and for the problem
+  mutable std::mutex mutex; ///< held to change states, to drop pages, and for the problem
   std::vector<Unit> states;
   std::string problem;
   std::thread server;
