@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -129,6 +130,37 @@ TEST(VolumeWriters, TiffKeepsValuesAndSpacing)
         EXPECT_DOUBLE_EQ(read.image->GetSpacing()[axis], volume.image->GetSpacing()[axis]);
       }
     }
+  }
+}
+
+// The system may refuse to write a file from the addresses of such voxels.
+TEST(VolumeWriters, KeepVoxelsThatAreReadFromTheirChunks)
+{
+  const Folder folder;
+  LoadedVolume volume = { vtkSmartPointer<vtkImageData>::New(), "", {} };
+  volume.image->SetDimensions(64, 64, 640);
+  volume.image->AllocateScalars(VTK_SHORT, 1);
+  const vtkIdType count = volume.image->GetNumberOfPoints();
+  auto* const voxels = static_cast<short*>(volume.image->GetScalarPointer());
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    voxels[i] = short(i % 30011);
+  }
+  WriteVolume(volume, folder.Path("a.zarr"));
+  FileSource source{ folder.Path("a.zarr"), std::nullopt };
+  source.level = 0;
+  source.memoryMegabytes = 9;
+  for (const char* const extension : { ".nrrd", ".mha", ".vti", ".nii", ".nii.gz", ".tif" })
+  {
+    const LoadedVolume inChunks = LoadVolume(source);
+    ASSERT_TRUE(inChunks.isOnDisk);
+    const std::string path = folder.Path(std::string("b") + extension);
+    WriteVolume(inChunks, path);
+    const LoadedVolume read = LoadVolume(FileSource{ path, std::nullopt });
+    ASSERT_EQ(read.image->GetNumberOfPoints(), count) << extension;
+    EXPECT_TRUE(
+      std::equal(voxels, voxels + count, static_cast<short*>(read.image->GetScalarPointer())))
+      << extension;
   }
 }
 

@@ -157,7 +157,7 @@ bool WriteNiftiFile(const LoadedVolume& volume, const std::string& path, bool is
   }
   else
   {
-    file.Write(image.Values(), image.ByteCount());
+    image.EachPiece([&](const char* values, std::size_t count) { file.Write(values, count); });
   }
   return file.Finish();
 }

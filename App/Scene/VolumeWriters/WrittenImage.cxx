@@ -12,6 +12,7 @@
 #include <locale>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace varimarch
 {
@@ -59,6 +60,19 @@ std::size_t WrittenImage::ByteCount() const
   return this->VoxelCount() * std::size_t(this->ComponentCount()) * this->ValueBytes();
 }
 
+void WrittenImage::EachPiece(
+  const std::function<void(const char* bytes, std::size_t count)>& take) const
+{
+  constexpr std::size_t PieceBytes = 1 << 20;
+  std::vector<char> piece;
+  for (std::size_t begin = 0; begin < this->ByteCount(); begin += PieceBytes)
+  {
+    const std::size_t end = std::min(begin + PieceBytes, this->ByteCount());
+    piece.assign(this->Values() + begin, this->Values() + end);
+    take(piece.data(), piece.size());
+  }
+}
+
 glm::dvec3 WrittenImage::OriginMm() const
 {
   // The first voxel, even if the extent does not begin at 0.
@@ -92,7 +106,8 @@ bool WriteHeaderAndValues(
 {
   std::ofstream stream(path, std::ios::binary);
   stream << header;
-  stream.write(image.Values(), std::streamsize(image.ByteCount()));
+  image.EachPiece(
+    [&](const char* bytes, std::size_t count) { stream.write(bytes, std::streamsize(count)); });
   stream.close();
   return bool(stream);
 }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 
 namespace varimarch
@@ -40,6 +41,10 @@ public:
   /// All values, voxel by voxel, with the components of a voxel together.
   const char* Values() const { return static_cast<const char*>(this->image->GetScalarPointer()); }
   std::size_t ByteCount() const;
+
+  /// Passes all values on in copies of one piece after the other. System calls that write a file
+  /// may refuse the addresses of voxels that come into memory when they are touched.
+  void EachPiece(const std::function<void(const char* bytes, std::size_t count)>& take) const;
 
   glm::dvec3 OriginMm() const;
   glm::dvec3 SpacingMm() const;
