@@ -232,13 +232,48 @@ TEST_F(VoxelsInChunks, HaveNewRangesAfterAChunkWasWritten)
   const vtkSmartPointer<vtkImageData> torso = Torso(uneven);
   const std::string path = this->WriteZarr(torso, uneven);
   this->Read(path);
-  const std::string made = this->folder.Bytes("a.zarr.0.0.varimarch-ranges");
+  const std::string made = this->folder.Bytes("a.zarr.0.0.0.varimarch-ranges");
   this->Read(path);
-  EXPECT_EQ(this->folder.Bytes("a.zarr.0.0.varimarch-ranges"), made);
+  EXPECT_EQ(this->folder.Bytes("a.zarr.0.0.0.varimarch-ranges"), made);
   torso->SetScalarComponentFromDouble(0, 0, 0, 0, 30000.0);
   this->WriteChunk(torso, uneven, { 0, 0, 0 });
   this->Read(path);
-  EXPECT_NE(this->folder.Bytes("a.zarr.0.0.varimarch-ranges"), made);
+  EXPECT_NE(this->folder.Bytes("a.zarr.0.0.0.varimarch-ranges"), made);
+}
+
+// Chunks of several times may have the same sizes and times of change.
+TEST_F(VoxelsInChunks, HaveRangesForEachTime)
+{
+  namespace fs = std::filesystem;
+  this->WriteZarr(Torso(even), even);
+  this->folder.Write("t.zarr/.zattrs",
+    R"({"multiscales": [{"version": "0.4", "datasets": [{"path": "0"}], "axes": [
+    {"name": "t", "type": "time"}, {"name": "z", "type": "space"}, {"name": "y", "type": "space"},
+    {"name": "x", "type": "space"}]}]})");
+  this->folder.Write("t.zarr/0/.zarray",
+    R"({"zarr_format": 2, "shape": [2, 72, 64, 256], "chunks": [1, 8, 16, 64], "dtype": "<i2",
+    "compressor": null, "order": "C", "filters": null, "fill_value": 0})");
+  const auto now = fs::file_time_type::clock::now();
+  for (const auto& chunk : fs::directory_iterator(this->folder.Path("a.zarr")))
+  {
+    const std::string name = chunk.path().filename().string();
+    if (name == ".zarray")
+    {
+      continue;
+    }
+    const std::string bytes = this->folder.Bytes("a.zarr/" + name);
+    fs::last_write_time(this->folder.Write("t.zarr/0/0." + name, bytes), now);
+    const std::string zeros(bytes.size(), '\0');
+    fs::last_write_time(this->folder.Write("t.zarr/0/1." + name, zeros), now);
+  }
+  for (const int time : { 0, 1 })
+  {
+    this->reader->SetTimeIndex(time);
+    this->Read(this->folder.Path("t.zarr"));
+    ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+  }
+  EXPECT_NE(this->folder.Bytes("t.zarr.0.0.0.varimarch-ranges"),
+    this->folder.Bytes("t.zarr.0.0.1.varimarch-ranges"));
 }
 
 TEST_F(VoxelsInChunks, AreRefusedWithTheObstacleIfTheyNeitherFitNorCanStay)

@@ -205,7 +205,8 @@ LevelImage PagedLevel(const PyramidOrder& order,
   const std::int64_t missing = source->MissingChunks();
   const VoxelLayout layout = LayoutOf(pyramid->Form(), level);
   const std::uint64_t mostBytes = MostMemoryBytes(order.options);
-  const std::string number = std::to_string(level) + "." + std::to_string(order.options.channel);
+  const std::string number = std::to_string(level) + "." +
+    std::to_string(order.options.channel) + "." + std::to_string(order.options.time);
   const auto summary = KeptSummary({ *source, layout.scalarType, order.path,
                                      order.path + "." + number, source->Stamp(), mostBytes },
     progress);
