@@ -276,6 +276,23 @@ TEST_F(VoxelsInChunks, HaveRangesForEachTime)
     this->folder.Bytes("t.zarr.0.0.1.varimarch-ranges"));
 }
 
+TEST_F(VoxelsInChunks, AreRefusedIfAnImageCannotNumberThem)
+{
+  // Products of these numbers are beyond 2^32 and 2^64.
+  for (const char* const shape :
+    { "[4611686018427387904, 4611686018427387904, 4611686018427387904]",
+      "[2147483647, 2147483647, 2147483647]", "[1, 1, 8589934592]" })
+  {
+    this->folder.Write("a.zarr/.zarray",
+      std::string(R"({"zarr_format": 2, "shape": )") + shape +
+        R"(, "chunks": [8, 8, 8], "dtype": "<i2", "compressor": null, "order": "C",
+        "filters": null, "fill_value": 0})");
+    const ExpectedVtkErrors errors;
+    this->Read(this->folder.Path("a.zarr"), vtkIdType(1) << 50);
+    EXPECT_NE(std::string(this->reader->GetErrorMessage()), "") << shape;
+  }
+}
+
 TEST_F(VoxelsInChunks, AreRefusedWithTheObstacleIfTheyNeitherFitNorCanStay)
 {
   const Shape oneChunk = { uneven.size, uneven.size };

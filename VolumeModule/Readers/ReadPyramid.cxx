@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 namespace varimarch
 {
@@ -57,6 +58,11 @@ std::string ObstacleToPaging(const PyramidForm& form, std::size_t level, const R
   if (options.areCopies)
   {
     return "are packed in an archive";
+  }
+  const auto& size = form.levels[level].dimensions;
+  if (*std::max_element(size.begin(), size.end()) > std::numeric_limits<int>::max())
+  {
+    return "are more than 2147483647 along an axis";
   }
   const std::uint64_t mostBytes = MostMemoryBytes(options);
   const std::uint64_t ofBricks = BytesOfBricks(form.levels[level], *type);
@@ -205,8 +211,8 @@ LevelImage PagedLevel(const PyramidOrder& order,
   const std::int64_t missing = source->MissingChunks();
   const VoxelLayout layout = LayoutOf(pyramid->Form(), level);
   const std::uint64_t mostBytes = MostMemoryBytes(order.options);
-  const std::string number = std::to_string(level) + "." +
-    std::to_string(order.options.channel) + "." + std::to_string(order.options.time);
+  const std::string number = std::to_string(level) + "." + std::to_string(order.options.channel) +
+    "." + std::to_string(order.options.time);
   const auto summary = KeptSummary({ *source, layout.scalarType, order.path,
                                      order.path + "." + number, source->Stamp(), mostBytes },
     progress);

@@ -379,15 +379,17 @@ VolumeSummary UnfilledSummary(
 
 std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type)
 {
-  std::uint64_t bricks = 1;
+  double bricks = 1.0; // the product of the numbers that a forged file states may be beyond 2^64
   for (const std::int64_t voxels : level.dimensions)
   {
-    bricks *= std::uint64_t((std::max<std::int64_t>(voxels - 1, 1) + Side - 1) / Side);
+    bricks *= double((std::max<std::int64_t>(voxels - 1, 1) - 1) / Side + 1);
   }
   constexpr std::uint64_t BytesOfField = 3; // with the distances and what is visible
   const std::uint64_t bytesOfMean = ByVoxelType(type, [](auto voxel) { return sizeof(voxel); });
   const std::uint64_t bytesOfRange = bytesOfMean == 1 ? 2 : 4;
-  return bricks * (BytesOfField + bytesOfRange + bytesOfMean);
+  constexpr double MostBytes = 9e18;
+  return std::uint64_t(
+    std::min(bricks * double(BytesOfField + bytesOfRange + bytesOfMean), MostBytes));
 }
 
 VolumeSummary SummaryOf(

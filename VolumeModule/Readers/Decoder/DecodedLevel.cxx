@@ -13,7 +13,7 @@ std::array<std::int64_t, 3> ChunkCount(const BrickSource::Level& level)
   std::array<std::int64_t, 3> count;
   for (int axis = 0; axis < 3; ++axis)
   {
-    count[axis] = (level.dimensions[axis] + level.chunk[axis] - 1) / level.chunk[axis];
+    count[axis] = (level.dimensions[axis] - 1) / level.chunk[axis] + 1;
   }
   return count;
 }

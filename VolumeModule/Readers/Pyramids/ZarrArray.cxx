@@ -227,7 +227,7 @@ StoredChunks ZarrArray::Stored(
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::int64_t length = Along(selection, axis, this->header.chunk);
-    count[axis] = (size[axis] + length - 1) / length;
+    count[axis] = (size[axis] - 1) / length + 1;
   }
   StoredChunks chunks;
   chunks.fill = ValueOf(this->header.fill, this->header.scalarType);
