@@ -11,6 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -239,6 +242,24 @@ TEST_F(VoxelsInChunks, HaveNewRangesAfterAChunkWasWritten)
   this->WriteChunk(torso, uneven, { 0, 0, 0 });
   this->Read(path);
   EXPECT_NE(this->folder.Bytes("a.zarr.0.0.0.varimarch-ranges"), made);
+}
+
+TEST_F(VoxelsInChunks, AreStillReadAfterAForkedProcessReleasedThem)
+{
+  const vtkSmartPointer<vtkImageData> torso = Torso(uneven);
+  vtkImageData* const image = this->Read(this->WriteZarr(torso, uneven));
+  ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    alarm(60); // ends it if it waits for a thread that it does not have
+    image->ReleaseData();
+    _exit(0);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(std::equal(Voxels(torso), Voxels(torso) + torso->GetNumberOfPoints(), Voxels(image)));
 }
 
 // Chunks of several times may have the same sizes and times of change.

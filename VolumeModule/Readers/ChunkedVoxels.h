@@ -36,6 +36,7 @@ public:
   ~ChunkedVoxels() override;
 
   std::string Problem() const override;
+  bool AreInForkedProcesses() const override { return false; }
   std::vector<Part> DroppableParts(const PageMap& map, std::uint64_t now) override;
   std::size_t Drop(std::size_t index, const PageMap& map) override;
 

@@ -24,6 +24,7 @@ public:
   ~MappedFile() override;
 
   std::string Problem() const override;
+  bool AreInForkedProcesses() const override { return true; }
   std::vector<Part> DroppableParts(const PageMap& map, std::uint64_t now) override;
   std::size_t Drop(std::size_t index, const PageMap& map) override;
 

@@ -48,10 +48,7 @@ public:
     std::vector<Kept> removed;
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
-      const auto ending = std::stable_partition(this->all.begin(), this->all.end(),
-        [&](const Kept& kept) { return !kept.voxels->Holds(bytes); });
-      removed.assign(ending, this->all.end());
-      this->all.erase(ending, this->all.end());
+      this->Move([&](const Kept& kept) { return kept.voxels->Holds(bytes); }, removed);
     }
     this->StopIfEmpty();
   }
@@ -82,9 +79,12 @@ public:
   void PrepareFork() { this->mutex.lock(); }
   void EndForkInParent() { this->mutex.unlock(); }
 
-  /// A process that was forked has no watcher, but remembers that of its parent.
+  /// A process that was forked has no watcher, but remembers that of its parent. It may have other
+  /// memory where voxels are missing, and must not end the threads of its parent that read them.
   void EndForkInChild()
   {
+    this->Move(
+      [](const Kept& kept) { return !kept.voxels->AreInForkedProcesses(); }, this->ofParent);
     if (this->watcher.joinable())
     {
       this->watcher.detach();
@@ -94,6 +94,16 @@ public:
   }
 
 private:
+  /// Moves the voxels for which a condition is true.
+  template <class Condition>
+  void Move(Condition isMoved, std::vector<Kept>& to)
+  {
+    const auto moved = std::stable_partition(
+      this->all.begin(), this->all.end(), [&](const Kept& kept) { return !isMoved(kept); });
+    to.insert(to.end(), moved, this->all.end());
+    this->all.erase(moved, this->all.end());
+  }
+
   void StopIfEmpty()
   {
     std::thread ending;
@@ -170,6 +180,7 @@ private:
   std::mutex mutex;
   std::condition_variable wake;
   std::vector<Kept> all;
+  std::vector<Kept> ofParent; ///< in a process that was forked: voxels that it does not have
   std::thread watcher;
 };
 

@@ -36,6 +36,9 @@ public:
   /// full stop is missing.
   virtual std::string Problem() const = 0;
 
+  /// True if a process that is forked has the voxels too.
+  virtual bool AreInForkedProcesses() const = 0;
+
   /// Remembers the facts about the voxels.
   /// @param time  time of the last change of the array that has them
   void Describe(std::shared_ptr<const VolumeSummary> newSummary, std::uint64_t time)
