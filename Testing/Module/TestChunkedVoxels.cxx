@@ -217,6 +217,20 @@ TEST_F(VoxelsInChunks, OfADamagedChunkAreReportedOnceAndCountAsZero)
   EXPECT_EQ(Voxels(scene.image)[inside], 0);
 }
 
+TEST_F(VoxelsInChunks, OfAChunkThatIsGoneAreReportedAndCountAsZero)
+{
+  const vtkSmartPointer<vtkImageData> torso = Torso(uneven);
+  vtkImageData* const image = this->Read(this->WriteZarr(torso, uneven, -1024));
+  ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+  MapperScene scene(image);
+  std::filesystem::remove(this->folder.Path(this->ChunkOf({ 3, 2, 4 })));
+  const ExpectedVtkErrors errors;
+  scene.DrawByProcessor();
+  EXPECT_NE(errors.Text().find("1 of them gone"), std::string::npos) << errors.Text();
+  const vtkIdType inside = (vtkIdType(36) * 89 + 40) * 203 + 100;
+  EXPECT_EQ(Voxels(image)[inside], 0);
+}
+
 TEST_F(VoxelsInChunks, ThatWereWrittenStay)
 {
   vtkImageData* const image = this->Read(this->WriteZarr(Torso(uneven), uneven));

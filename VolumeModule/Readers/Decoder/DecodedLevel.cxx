@@ -1,5 +1,7 @@
 #include "Readers/Decoder/DecodedLevel.h"
 
+#include "Readers/FileError.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -45,6 +47,48 @@ DecodedLevel::DecodedLevel(std::shared_ptr<const DecodedPyramid> newPyramid, int
   }
 }
 
+template <class Take>
+void DecodedLevel::EachChunk(const Box& box, Take take) const
+{
+  const Level& form = this->levels.front();
+  const std::array<std::int64_t, 3> count = ChunkCount(form);
+  std::array<std::int64_t, 3> first;
+  std::array<std::int64_t, 3> last;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    first[axis] = box.lower[axis] / form.chunk[axis];
+    last[axis] = (box.upper[axis] - 1) / form.chunk[axis];
+  }
+  std::array<std::int64_t, 3> at;
+  for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
+  {
+    for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
+    {
+      for (at[0] = first[0]; at[0] <= last[0]; ++at[0])
+      {
+        const auto number = std::size_t((at[2] * count[1] + at[1]) * count[0] + at[0]);
+        take(at, this->chunks.areThere[number] != 0);
+      }
+    }
+  }
+}
+
+void DecodedLevel::Read(int, const Box& box, void* voxels) const
+{
+  const std::int64_t missing = this->pyramid->ReadConverted(this->level, box, voxels);
+  if (this->chunks.areThere.empty())
+  {
+    return; // nobody knows which were stored
+  }
+  std::int64_t expected = 0;
+  this->EachChunk(box, [&](const auto&, bool isThere) { expected += isThere ? 0 : 1; });
+  if (missing > expected)
+  {
+    FailToRead(this->pyramid->Path(), "the chunks that it had when it was opened",
+      std::to_string(missing - expected) + " of them gone");
+  }
+}
+
 BrickSource::Box DecodedLevel::Occupied(const Box& box) const
 {
   if (this->chunks.areThere.empty())
@@ -52,29 +96,17 @@ BrickSource::Box DecodedLevel::Occupied(const Box& box) const
     return box;
   }
   const Level& form = this->levels.front();
-  const std::array<std::int64_t, 3> count = ChunkCount(form);
   Box stored = { box.upper, box.lower };
-  std::array<std::int64_t, 3> at;
-  const auto chunkOf = [&](const std::array<std::int64_t, 3>& voxel, int axis)
-  { return voxel[axis] / form.chunk[axis]; };
-  const std::array<std::int64_t, 3> last = { box.upper[0] - 1, box.upper[1] - 1, box.upper[2] - 1 };
-  for (at[2] = chunkOf(box.lower, 2); at[2] <= chunkOf(last, 2); ++at[2])
-  {
-    for (at[1] = chunkOf(box.lower, 1); at[1] <= chunkOf(last, 1); ++at[1])
+  this->EachChunk(box,
+    [&](const std::array<std::int64_t, 3>& at, bool isThere)
     {
-      for (at[0] = chunkOf(box.lower, 0); at[0] <= chunkOf(last, 0); ++at[0])
+      for (int axis = 0; isThere && axis < 3; ++axis)
       {
-        const bool isThere =
-          this->chunks.areThere[std::size_t((at[2] * count[1] + at[1]) * count[0] + at[0])] != 0;
-        for (int axis = 0; isThere && axis < 3; ++axis)
-        {
-          const std::int64_t begin = at[axis] * form.chunk[axis];
-          stored.lower[axis] = std::min(stored.lower[axis], begin);
-          stored.upper[axis] = std::max(stored.upper[axis], begin + form.chunk[axis]);
-        }
+        const std::int64_t begin = at[axis] * form.chunk[axis];
+        stored.lower[axis] = std::min(stored.lower[axis], begin);
+        stored.upper[axis] = std::max(stored.upper[axis], begin + form.chunk[axis]);
       }
-    }
-  }
+    });
   const bool isEmpty = stored.lower[0] >= stored.upper[0];
   return isEmpty ? Box{ box.lower, box.lower } : Common(stored, box);
 }

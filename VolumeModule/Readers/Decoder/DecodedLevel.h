@@ -20,10 +20,8 @@ public:
 
   const std::vector<Level>& Levels() const override { return this->levels; }
   VoxelType Type() const override { return this->pyramid->Type(); }
-  void Read(int, const Box& box, void* voxels) const override
-  {
-    this->pyramid->Read(this->level, box, voxels);
-  }
+  /// Fails too if a chunk is gone that was stored.
+  void Read(int, const Box& box, void* voxels) const override;
 
   /// Whole chunks.
   Box Occupied(const Box& box) const override;
@@ -36,6 +34,10 @@ public:
   const std::string& Stamp() const { return this->chunks.stamp; }
 
 private:
+  /// Calls take(index of a chunk, whether it is stored) for the chunks that a box lies in.
+  template <class Take>
+  void EachChunk(const Box& box, Take take) const;
+
   std::shared_ptr<const DecodedPyramid> pyramid;
   int level;
   std::vector<Level> levels; ///< only this one

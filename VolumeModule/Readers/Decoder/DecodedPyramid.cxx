@@ -76,23 +76,23 @@ VoxelType DecodedPyramid::Type() const
   return VoxelTypeOf(this->form.scalarType).value_or(VoxelType::Float32);
 }
 
-void DecodedPyramid::Read(int level, const Box& box, void* voxels) const
+std::int64_t DecodedPyramid::ReadConverted(int level, const Box& box, void* voxels) const
 {
   ReadProgress silent([](double) { return true; });
   const int type = this->form.scalarType;
   if (VoxelTypeOf(type))
   {
-    this->ReadStored(level, box, voxels, silent);
-    return;
+    return this->ReadStored(level, box, voxels, silent);
   }
   const std::int64_t count = VoxelCount(box);
   std::vector<char> stored(std::size_t(count) * std::size_t(vtkDataArray::GetDataTypeSize(type)));
-  this->ReadStored(level, box, stored.data(), silent);
+  const std::int64_t missing = this->ReadStored(level, box, stored.data(), silent);
   switch (type)
   {
     vtkTemplateMacro(ConvertToFloat(
       reinterpret_cast<const VTK_TT*>(stored.data()), count, static_cast<float*>(voxels)));
   }
+  return missing;
 }
 
 std::int64_t DecodedPyramid::ReadStored(

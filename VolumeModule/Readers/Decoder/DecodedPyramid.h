@@ -26,6 +26,8 @@ public:
   DecodedPyramid(const PyramidOrder& order, ReadProgress& progress);
   ~DecodedPyramid() override;
 
+  /// The file or folder.
+  const std::string& Path() const { return this->order.path; }
   const PyramidForm& Form() const { return this->form; }
 
   const std::vector<Level>& Levels() const override { return this->form.levels; }
@@ -34,7 +36,14 @@ public:
   VoxelType Type() const override;
 
   /// Voxels of Type().
-  void Read(int level, const Box& box, void* voxels) const override;
+  void Read(int level, const Box& box, void* voxels) const override
+  {
+    this->ReadConverted(level, box, voxels);
+  }
+
+  /// Voxels of Type().
+  /// @returns the number of chunks that the file does not have
+  std::int64_t ReadConverted(int level, const Box& box, void* voxels) const;
 
   /// Voxels of the stored type.
   /// @returns the number of chunks that the file does not have
