@@ -1,6 +1,7 @@
 #include "Readers/ChunkedVoxels.h"
 
 #include "Readers/FileError.h"
+#include "Readers/PageMap.h"
 #include "Readers/VoxelLayout.h"
 
 #include <sys/mman.h>

@@ -41,7 +41,7 @@ MappedFile::MappedFile(const std::string& path, std::uint64_t offset, std::uint6
     FailToRead(path, "a file that can be opened", std::strerror(errno));
   }
   this->modified = NanosecondsOf(status.st_mtim);
-  const auto page = std::uint64_t(sysconf(_SC_PAGESIZE));
+  const std::uint64_t page = PageBytes();
   this->lead = std::size_t(offset % page);
   this->pageBytes = (std::size_t(byteCount) + this->lead + page - 1) / page * page;
   void* const mapped = mmap(nullptr, this->pageBytes, PROT_READ | PROT_WRITE,

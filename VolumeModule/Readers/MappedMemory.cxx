@@ -3,7 +3,6 @@
 #include "Readers/PageMap.h"
 
 #include <pthread.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -207,7 +206,7 @@ std::uint64_t ResidentBytes()
     }
     std::fclose(file);
   }
-  return resident * std::uint64_t(sysconf(_SC_PAGESIZE));
+  return resident * PageBytes();
 }
 
 void* KeepPaged(std::unique_ptr<PagedVoxels> voxels, std::uint64_t mostBytes)

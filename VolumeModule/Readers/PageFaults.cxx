@@ -1,5 +1,7 @@
 #include "Readers/PageFaults.h"
 
+#include "Readers/PageMap.h"
+
 #include <fcntl.h>
 #include <linux/userfaultfd.h>
 #include <poll.h>
@@ -76,12 +78,6 @@ std::int64_t DoneOrError(int result, std::int64_t done)
   return result == 0 || done > 0 ? done : -std::int64_t(errno);
 }
 
-}
-
-std::size_t PageBytes()
-{
-  static const auto bytes = std::size_t(sysconf(_SC_PAGESIZE));
-  return bytes;
 }
 
 const std::string& PageFaults::Obstacle()

@@ -53,9 +53,6 @@ private:
   int stop;
 };
 
-/// The number of bytes of a page of memory.
-std::size_t PageBytes();
-
 }
 
 #endif

@@ -20,6 +20,12 @@ constexpr std::uint64_t IsOfFile = 1ull << 61;
 
 }
 
+std::size_t PageBytes()
+{
+  static const auto bytes = std::size_t(sysconf(_SC_PAGESIZE));
+  return bytes;
+}
+
 PageMap::PageMap()
   : descriptor(open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC))
 {
@@ -35,7 +41,7 @@ PageMap::~PageMap()
 
 std::size_t PageMap::DroppableBytes(const char* begin, std::size_t byteCount) const
 {
-  const auto page = std::size_t(sysconf(_SC_PAGESIZE));
+  const std::size_t page = PageBytes();
   std::vector<std::uint64_t> entries(byteCount / page);
   const auto place = off_t(reinterpret_cast<std::uintptr_t>(begin) / page * sizeof(entries[0]));
   const std::size_t wanted = entries.size() * sizeof(entries[0]);

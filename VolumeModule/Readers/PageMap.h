@@ -6,6 +6,9 @@
 namespace varimarch
 {
 
+/// The number of bytes of a page of memory.
+std::size_t PageBytes();
+
 /// The pages of this process, as the system lists them.
 class PageMap
 {
