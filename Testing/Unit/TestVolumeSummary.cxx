@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <thread>
 
 using namespace varimarch;
 
@@ -146,6 +149,38 @@ TEST(VolumeSummary, StopsWhereItsObserverThrows)
   const MemorySource<std::uint8_t> source(VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0));
   const auto stop = [](double) { throw std::logic_error("enough"); };
   EXPECT_THROW(SummaryOf(source, EnoughForASlab, stop), std::logic_error);
+}
+
+/// Voxels that count how many are read at the same time.
+class CountingSource : public MemorySource<std::uint8_t>
+{
+public:
+  CountingSource()
+    : MemorySource(VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0))
+  {
+  }
+
+  void Read(int level, const Box& box, void* to) const override
+  {
+    const int now = ++this->reading;
+    int most = this->most;
+    while (now > most && !this->most.compare_exchange_weak(most, now))
+    {
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    MemorySource::Read(level, box, to);
+    --this->reading;
+  }
+
+  mutable std::atomic<int> reading = 0;
+  mutable std::atomic<int> most = 0;
+};
+
+TEST(VolumeSummary, IsReadInOneSlabAtATimeWhereMemoryIsShort)
+{
+  const CountingSource source;
+  SummaryOf(source, 1, [](double) {});
+  EXPECT_EQ(source.most, 1);
 }
 
 /// Voxels of which only a box is stored; the others are 7.

@@ -1,15 +1,12 @@
 #include "Core/Fields/VolumeSummary.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "Core/Fields/SlabReader.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <numeric>
-#include <thread>
 #include <type_traits>
 
 namespace varimarch
@@ -19,116 +16,6 @@ namespace
 {
 
 constexpr int Side = BrickRanges::CellsPerSide;
-
-glm::ivec3 VoxelCountOf(const BrickSource::Level& level)
-{
-  const auto& dimensions = level.dimensions;
-  return { int(dimensions[0]), int(dimensions[1]), int(dimensions[2]) };
-}
-
-/// A part of the volume between two planes of bricks, without the bricks around it of which nothing
-/// is stored.
-struct Slab
-{
-  glm::ivec3 first; ///< its first voxel, which begins a brick
-  glm::ivec3 count; ///< voxels along each axis, with the slice that the next slab begins with
-  int ownSlices;    ///< slices without that
-
-  std::size_t Voxels() const
-  {
-    return std::size_t(this->count.x) * std::size_t(this->count.y) * std::size_t(this->count.z);
-  }
-};
-
-// Reads slabs on all cores. A core takes no other slab before it is done with one, so that memory
-// suffices.
-template <class Scalar>
-class SlabReader
-{
-public:
-  SlabReader(const BrickSource& source, std::uint64_t mostBytes)
-    : source(source)
-    , voxels(VoxelCountOf(source.Levels().front()))
-  {
-    const std::uint64_t sliceBytes =
-      sizeof(Scalar) * std::uint64_t(this->voxels.x) * std::uint64_t(this->voxels.y);
-    const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
-    const std::uint64_t slices = std::max<std::uint64_t>(mostBytes / threads / sliceBytes, 1) - 1;
-    const auto chunk = std::uint64_t(source.Levels().front().chunk[2]);
-    const std::uint64_t wanted =
-      std::min<std::uint64_t>(std::max<std::uint64_t>(chunk, 16), slices);
-    this->slabSlices = int(std::max<std::uint64_t>(wanted / Side, 1)) * Side;
-  }
-
-  // True if the slabs have all voxels.
-  bool HaveAll() const
-  {
-    bool haveAll = true;
-    for (int i = 0; i < this->SlabCount(); ++i)
-    {
-      const glm::ivec3 count = this->SlabOf(i).count;
-      haveAll = haveAll && count.x == this->voxels.x && count.y == this->voxels.y;
-    }
-    return haveAll;
-  }
-
-  // Calls take(slab, its voxels) for each slab, on several cores.
-  template <class Take>
-  void ForEach(const std::function<void(double)>& report, Take take) const
-  {
-    const int slabCount = this->SlabCount();
-    const std::thread::id caller = std::this_thread::get_id();
-    std::atomic<int> done = 0;
-    tbb::parallel_for(0, slabCount,
-      [&](int index)
-      {
-        const Slab slab = this->SlabOf(index);
-        if (slab.Voxels() > 0)
-        {
-          std::vector<Scalar> read(slab.Voxels());
-          this->source.Read(0, BoxOf(slab), read.data());
-          tbb::this_task_arena::isolate([&] { take(slab, read); });
-        }
-        const int doneNow = ++done;
-        if (std::this_thread::get_id() == caller)
-        {
-          report(double(doneNow) / slabCount);
-        }
-      });
-  }
-
-private:
-  int SlabCount() const { return (this->voxels.z + this->slabSlices - 1) / this->slabSlices; }
-
-  static BrickSource::Box BoxOf(const Slab& slab)
-  {
-    const glm::ivec3 behind = slab.first + slab.count;
-    return { { slab.first.x, slab.first.y, slab.first.z }, { behind.x, behind.y, behind.z } };
-  }
-
-  Slab SlabOf(int index) const
-  {
-    const int first = index * this->slabSlices;
-    const int own = std::min(this->slabSlices, this->voxels.z - first);
-    Slab slab = { { 0, 0, first },
-      { this->voxels.x, this->voxels.y, std::min(own + 1, this->voxels.z - first) }, own };
-    const BrickSource::Box stored = this->source.Occupied(BoxOf(slab));
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      // A voxel between two bricks belongs to both.
-      const auto lower = int(stored.lower[axis]);
-      const auto upper = int(stored.upper[axis]);
-      slab.first[axis] = std::max(lower - 1, 0) / Side * Side;
-      const int behind = std::min((upper - 1) / Side * Side + Side + 1, this->voxels[axis]);
-      slab.count[axis] = lower < upper ? behind - slab.first[axis] : 0;
-    }
-    return slab;
-  }
-
-  const BrickSource& source;
-  glm::ivec3 voxels;
-  int slabSlices;
-};
 
 /// Extremes of the finite values of a slab.
 template <class Scalar>
@@ -162,7 +49,7 @@ Finite<Scalar> RangeOf(const SlabReader<Scalar>& slabs, [[maybe_unused]] double 
   {
     std::mutex mutex;
     slabs.ForEach(report,
-      [&](const Slab&, const std::vector<Scalar>& voxels)
+      [&](const StoredSlab&, const std::vector<Scalar>& voxels)
       {
         Finite<Scalar> ofSlab;
         std::for_each(voxels.begin(), voxels.end(), [&](Scalar value) { ofSlab.Add(value); });
@@ -206,7 +93,7 @@ void Fill(double value, const Finite<Scalar>& range, VolumeSummary& summary)
 }
 
 // Puts the ranges of a slab where they belong in those of the volume.
-void PutRanges(const BrickRanges& ofSlab, const Slab& slab, BrickRanges& ranges)
+void PutRanges(const BrickRanges& ofSlab, const StoredSlab& slab, BrickRanges& ranges)
 {
   const glm::ivec3 count = ofSlab.BrickCount();
   const glm::ivec3 all = ranges.BrickCount();
@@ -225,8 +112,8 @@ void PutRanges(const BrickRanges& ofSlab, const Slab& slab, BrickRanges& ranges)
 
 // Only integers are counted.
 template <class Scalar>
-void Count(const Slab& slab, const std::vector<Scalar>& voxels, std::vector<std::int64_t>& counts,
-  std::mutex& mutex)
+void Count(const StoredSlab& slab, const std::vector<Scalar>& voxels,
+  std::vector<std::int64_t>& counts, std::mutex& mutex)
 {
   if constexpr (std::is_integral_v<Scalar>)
   {
@@ -282,7 +169,7 @@ void TakeMeans(const ScalarGrid<Scalar>& grid, int firstY, int firstZ, int count
 
 // Puts the means of the cubes of a slab where they belong.
 template <class Scalar>
-void PutMeans(const Slab& slab, const ScalarGrid<Scalar>& grid, CoarseLevel& coarse)
+void PutMeans(const StoredSlab& slab, const ScalarGrid<Scalar>& grid, CoarseLevel& coarse)
 {
   constexpr int Cube = CoarseLevel::Side;
   auto* const means = reinterpret_cast<Scalar*>(coarse.voxels.data());
@@ -329,7 +216,7 @@ VolumeSummary SummaryOf(
   }
   std::mutex counting;
   slabs.ForEach([&](double part) { report(isCounted ? part : 0.5 + 0.5 * part); },
-    [&](const Slab& slab, const std::vector<Scalar>& read)
+    [&](const StoredSlab& slab, const std::vector<Scalar>& read)
     {
       const ScalarGrid<Scalar> grid(read.data(), slab.count);
       const bool isOfNoCells = slab.count.z == 1 && slab.first.z > 0;
