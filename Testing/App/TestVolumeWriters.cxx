@@ -1,5 +1,6 @@
 // Volumes that are written and read again are the same.
 #include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Support/UserFaults.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -136,6 +137,10 @@ TEST(VolumeWriters, TiffKeepsValuesAndSpacing)
 // The system may refuse to write a file from the addresses of such voxels.
 TEST(VolumeWriters, KeepVoxelsThatAreReadFromTheirChunks)
 {
+  if (!HasUserFaults())
+  {
+    GTEST_SKIP() << "the system refuses userfaultfd";
+  }
   const Folder folder;
   LoadedVolume volume = { vtkSmartPointer<vtkImageData>::New(), "", {} };
   volume.image->SetDimensions(64, 64, 640);

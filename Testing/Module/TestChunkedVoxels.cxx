@@ -5,6 +5,7 @@
 #include "Module/PhantomFiles.h"
 #include "Scene/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
+#include "Support/UserFaults.h"
 
 #include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
@@ -45,6 +46,14 @@ constexpr Shape even = { { 256, 64, 72 }, { 64, 16, 8 } };
 class VoxelsInChunks : public testing::Test
 {
 protected:
+  void SetUp() override
+  {
+    if (!HasUserFaults())
+    {
+      GTEST_SKIP() << "the system refuses userfaultfd";
+    }
+  }
+
   static vtkSmartPointer<vtkImageData> Torso(const Shape& shape)
   {
     return ProceduralVolume({ ProceduralKind::Torso, shape.size, 7 });
