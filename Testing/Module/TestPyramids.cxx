@@ -126,6 +126,18 @@ TEST(Pyramids, FailWithASentenceIfAChunkIsDamagedOrABoxIsOutside)
   }
 }
 
+TEST(Pyramids, FailIfTheFileLacksTheTime)
+{
+  const TemporaryFolder folder;
+  const std::string path = folder.Path("a.ims");
+  WriteHdf5(path, phantom::Stored(0), Hdf5Kind::Imaris);
+  varimarch::ReadProgress silent([](double) { return true; });
+  varimarch::ReadOptions options;
+  EXPECT_TRUE(varimarch::OpenPyramidAt(path, options, silent));
+  options.time = 1;
+  EXPECT_THROW(varimarch::OpenPyramidAt(path, options, silent), std::runtime_error);
+}
+
 TEST(Pyramids, AreNotMadeOfOtherFormats)
 {
   const TemporaryFolder folder;

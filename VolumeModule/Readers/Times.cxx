@@ -41,11 +41,9 @@ VolumeTimes StatedTimes(const std::vector<double>& seconds)
   return areAscending ? VolumeTimes{ seconds, true } : NumberedTimes(std::int64_t(seconds.size()));
 }
 
-void TakeTimes(
-  const std::string& path, VolumeTimes times, const ReadOptions& options, Volume& volume)
+void CheckTime(const std::string& path, const VolumeTimes& times, const ReadOptions& options)
 {
-  volume.times = std::move(times);
-  const auto count = std::int64_t(volume.times.values.size());
+  const auto count = std::int64_t(times.values.size());
   if (options.time < 0 || options.time >= count)
   {
     FailToRead(path,
@@ -53,6 +51,13 @@ void TakeTimes(
                  : "a time from 0 to " + std::to_string(count - 1),
       "the time " + std::to_string(options.time));
   }
+}
+
+void TakeTimes(
+  const std::string& path, VolumeTimes times, const ReadOptions& options, Volume& volume)
+{
+  volume.times = std::move(times);
+  CheckTime(path, volume.times, options);
 }
 
 double SecondsPerUnit(const std::string& unit)

@@ -20,6 +20,10 @@ VolumeTimes EvenTimes(std::int64_t count, double startSeconds, double stepSecond
 /// Volumes at stated moments; numbered if these are not in ascending order.
 VolumeTimes StatedTimes(const std::vector<double>& seconds);
 
+/// Checks that a file has the time to read.
+/// @throws std::runtime_error otherwise
+void CheckTime(const std::string& path, const VolumeTimes& times, const ReadOptions& options);
+
 /// Takes the times of a file, and checks that it has the one to read.
 /// @throws std::runtime_error otherwise
 void TakeTimes(

@@ -4,7 +4,8 @@
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Decoder/Fields.h"
 #include "Readers/FileError.h"
-#include "Readers/RawVoxelSource.h"
+#include "Readers/Times.h"
+#include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>
 
@@ -60,6 +61,7 @@ DecodedPyramid::DecodedPyramid(const PyramidOrder& order, ReadProgress& progress
       conversation.Finish();
     }
     CheckForm(this->form);
+    CheckTime(order.path, this->form.times, order.options);
     this->idle.push_back(session.Idle());
   }
   catch (const DecoderFailure& failure)
