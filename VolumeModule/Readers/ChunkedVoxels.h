@@ -1,9 +1,9 @@
 #ifndef Varimarch_Readers_ChunkedVoxels_h
 #define Varimarch_Readers_ChunkedVoxels_h
 
+#include "Core/Blocks/VoxelUnits.h"
 #include "Readers/PageFaults.h"
 #include "Readers/PagedVoxels.h"
-#include "Readers/VoxelUnits.h"
 
 #include <memory>
 #include <mutex>

@@ -1,4 +1,4 @@
-#include "Readers/VoxelUnits.h"
+#include "Core/Blocks/VoxelUnits.h"
 
 #include <algorithm>
 

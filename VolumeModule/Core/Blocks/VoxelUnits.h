@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_VoxelUnits_h
-#define Varimarch_Readers_VoxelUnits_h
+#ifndef Varimarch_Core_Blocks_VoxelUnits_h
+#define Varimarch_Core_Blocks_VoxelUnits_h
 
 #include "Core/Blocks/BrickSource.h"
 
