@@ -125,7 +125,7 @@ void MainWindow::MakeExportActions(QMenu* file)
   file->addAction(tr("Send the i&mage to an archive…"), this, &MainWindow::SendPicture)
     ->setObjectName("sendImage");
   file->addAction(tr("Export a &turntable…"), this, &MainWindow::ExportTurntable);
-  QAction* const movie = file->addAction(tr("Export the ti&mes…"), this, &MainWindow::ExportTimes);
+  QAction* const movie = file->addAction(tr("&Export the times…"), this, &MainWindow::ExportTimes);
   movie->setObjectName("exportTimes");
   movie->setEnabled(false);
   connect(&this->model, &SceneModel::Changed, movie,

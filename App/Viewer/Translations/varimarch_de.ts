@@ -2536,8 +2536,8 @@ Masken nicht unterstützt</translation>
         <translation>Sagittale Schicht</translation>
     </message>
     <message>
-        <source>Export the ti&amp;mes…</source>
-        <translation>&amp;Zeitpunkte exportieren…</translation>
+        <source>&amp;Export the times…</source>
+        <translation>Zeit&amp;punkte exportieren…</translation>
     </message>
     <message>
         <source>Along the curve</source>

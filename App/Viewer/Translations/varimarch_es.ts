@@ -2536,8 +2536,8 @@ no admite máscaras</translation>
         <translation>Corte sagital</translation>
     </message>
     <message>
-        <source>Export the ti&amp;mes…</source>
-        <translation>Exportar los tie&amp;mpos…</translation>
+        <source>&amp;Export the times…</source>
+        <translation>Exportar los ti&amp;empos…</translation>
     </message>
     <message>
         <source>Along the curve</source>
