@@ -115,13 +115,12 @@ Look Resolved(const Look& look, const std::function<double(double)>& valueOf, do
 }
 
 // The air beside a patient makes the first slice of nearly any CT negative. It spares counting all
-// voxels, which may be in a file. False for an image without values, which counting refuses.
+// voxels, which may be in a file.
 bool BeginsWithNegativeValues(vtkImageData* image)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();
   const int* const count = image->GetDimensions();
-  const vtkIdType inSlice =
-    values ? std::min(vtkIdType(count[0]) * count[1], values->GetNumberOfTuples()) : 0;
+  const vtkIdType inSlice = std::min(vtkIdType(count[0]) * count[1], values->GetNumberOfTuples());
   for (vtkIdType i = 0; i < inSlice; ++i)
   {
     if (values->GetComponent(i, 0) < 0.0)
@@ -145,7 +144,8 @@ void ApplySurfaces(const std::vector<Isosurface>& surfaces, vtkVolumeProperty* p
 
 Look InUnitsOfData(const Look& look, vtkImageData* image)
 {
-  const bool isResolved = look.domain == Domain::Data ||
+  // The mapper refuses an image without values.
+  const bool isResolved = look.domain == Domain::Data || !image->GetPointData()->GetScalars() ||
     (look.domain == Domain::Hounsfield && BeginsWithNegativeValues(image));
   return isResolved ? OfData(look) : InUnitsOfData(look, ImageStatistics(image));
 }

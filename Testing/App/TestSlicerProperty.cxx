@@ -80,6 +80,7 @@ TEST(SlicerProperty, KeepsLooksInJson)
 {
   Look look = BuiltInPreset("ct-bone").look;
   look.description.clear();
+  look.domain = Domain::Data;
   look.gradientOpacities = { { 3.0, 0.25, { 0.25, 0.5 } }, { 40.0, 1.0 } };
   look.opacities[1].shape = { 0.25, 0.75 };
   look.colors[1].shape = { 0.75, 0.5 };

@@ -242,9 +242,11 @@ TEST_F(LargeText, IsNotCutOff)
         EXPECT_GE(widget->height(), widget->minimumSizeHint().height()) << Description(widget);
       }
     }
-    // Panels scroll to what does not fit.
-    auto* const scroll = dock->findChild<QScrollArea*>();
-    EXPECT_GE(scroll->widget()->width(), scroll->widget()->minimumSizeHint().width());
+    // Panels scroll to what does not fit; the view along a curve fits always.
+    if (auto* const scroll = dock->findChild<QScrollArea*>())
+    {
+      EXPECT_GE(scroll->widget()->width(), scroll->widget()->minimumSizeHint().width());
+    }
   }
   if (qEnvironmentVariableIsSet("VARIMARCH_PICTURES"))
   {

@@ -54,6 +54,7 @@ protected:
 
   Waiting Open(const char* name, const QString& file)
   {
+    this->Model()->History()->setClean(); // nothing is to be saved
     return this->While(name, [&] { this->window.Open(this->Path(file)); });
   }
 
