@@ -1,5 +1,6 @@
 // A thread draws the pictures of a window, which never waits for them.
 
+#include "Answers.h"
 #include "LoopGaps.h"
 #include "TorsoWindow.h"
 
@@ -54,7 +55,7 @@ protected:
 
   Waiting Open(const char* name, const QString& file)
   {
-    this->Model()->History()->setClean(); // nothing is to be saved
+    const Answers discard(QMessageBox::Discard, {});
     return this->While(name, [&] { this->window.Open(this->Path(file)); });
   }
 
