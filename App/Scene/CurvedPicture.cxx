@@ -1,5 +1,7 @@
 #include "Scene/CurvedPicture.h"
 
+#include "Scene/VoxelIndex.h"
+
 #include <vtkImageData.h>
 
 #include <glm/geometric.hpp>
@@ -13,13 +15,6 @@ namespace varimarch
 
 namespace
 {
-
-glm::dvec3 VoxelIndexOf(const glm::dvec3& pointMm, vtkImageData* image)
-{
-  glm::dvec3 index;
-  image->TransformPhysicalPointToContinuousIndex(&pointMm.x, &index.x);
-  return index;
-}
 
 // Rows begin on the side that `across` points to.
 double OffsetMm(const CurvedRequest& request, double row)

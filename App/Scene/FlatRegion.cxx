@@ -2,6 +2,7 @@
 
 #include "Scene/SceneCuts.h"
 #include "Scene/SliceGrid.h"
+#include "Scene/VoxelIndex.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkDataArray.h>
@@ -36,13 +37,6 @@ glm::dvec3 MiddleOfPoints(const std::vector<glm::dvec3>& points)
     sum += point;
   }
   return sum / double(points.size());
-}
-
-glm::dvec3 RegionIndexOf(const glm::dvec3& pointMm, vtkImageData* image)
-{
-  glm::dvec3 index;
-  image->TransformPhysicalPointToContinuousIndex(&pointMm.x, &index.x);
-  return index;
 }
 
 /// Pixels in the plane of a region: pixel (0, 0) is at `origin`.
@@ -84,7 +78,7 @@ std::optional<int> AxisAlong(const glm::dvec3& normal, vtkImageData* image)
 PixelPlane SliceThrough(const glm::dvec3& middleMm, int axis, vtkImageData* image)
 {
   glm::dvec3 index(0.0);
-  index[axis] = std::round(RegionIndexOf(middleMm, image)[axis]);
+  index[axis] = std::round(VoxelIndexOf(middleMm, image)[axis]);
   const auto pointAt = [image](const glm::dvec3& at)
   {
     glm::dvec3 point;
@@ -138,9 +132,9 @@ public:
     }
     this->columns = PixelsAlong(this->outline, 0, plane, image);
     this->rows = PixelsAlong(this->outline, 1, plane, image);
-    this->origin = RegionIndexOf(plane.originMm, image);
-    this->column = RegionIndexOf(plane.originMm + plane.columnMm, image) - this->origin;
-    this->row = RegionIndexOf(plane.originMm + plane.rowMm, image) - this->origin;
+    this->origin = VoxelIndexOf(plane.originMm, image);
+    this->column = VoxelIndexOf(plane.originMm + plane.columnMm, image) - this->origin;
+    this->row = VoxelIndexOf(plane.originMm + plane.rowMm, image) - this->origin;
     this->interpolator->SetInterpolationModeToLinear();
     this->interpolator->SetComponentCount(1); // volumes of colours have several
     this->interpolator->Initialize(image);

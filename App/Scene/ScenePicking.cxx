@@ -4,6 +4,7 @@
 #include "Scene/LookRegions.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/Scissors.h"
+#include "Scene/VoxelIndex.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkImageData.h>
@@ -36,8 +37,7 @@ public:
 
   std::optional<double> At(const glm::dvec3& pointWorld)
   {
-    glm::dvec3 index;
-    this->image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
+    const glm::dvec3 index = VoxelIndexOf(pointWorld, this->image);
     const int* const extent = this->image->GetExtent();
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -57,8 +57,7 @@ public:
   /// over one voxel to each side.
   double GradientMagnitudeAt(const glm::dvec3& pointWorld)
   {
-    glm::dvec3 index;
-    this->image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
+    const glm::dvec3 index = VoxelIndexOf(pointWorld, this->image);
     const double* const spacing = this->image->GetSpacing();
     glm::dvec3 gradient;
     for (int axis = 0; axis < 3; ++axis)

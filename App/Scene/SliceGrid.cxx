@@ -1,5 +1,6 @@
 #include "Scene/SliceGrid.h"
 
+#include "Scene/VoxelIndex.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkImageData.h>
@@ -10,13 +11,6 @@ namespace varimarch
 namespace
 {
 
-glm::dvec3 IndexOf(const glm::dvec3& pointWorld, vtkImageData* image)
-{
-  glm::dvec3 index;
-  image->TransformPhysicalPointToContinuousIndex(&pointWorld.x, &index.x);
-  return index;
-}
-
 }
 
 SliceGrid::SliceGrid(vtkImageData* image, const SliceRequest& request)
@@ -24,9 +18,9 @@ SliceGrid::SliceGrid(vtkImageData* image, const SliceRequest& request)
 {
   const SliceAxes axes = AxesOf(request.plane, request.turn);
   const glm::dvec3 middle = VectorOf(request.middleMm);
-  const glm::dvec3 middleIndex = IndexOf(middle, image);
+  const glm::dvec3 middleIndex = VoxelIndexOf(middle, image);
   const auto step = [&](const glm::dvec3& directionMm)
-  { return IndexOf(middle + directionMm, image) - middleIndex; };
+  { return VoxelIndexOf(middle + directionMm, image) - middleIndex; };
   this->right = step(request.mmPerPixel * VectorOf(axes.right));
   this->down = step(request.mmPerPixel * VectorOf(axes.down));
   this->throughPerMm = step(VectorOf(axes.through));
