@@ -1,6 +1,8 @@
 #ifndef Varimarch_Testing_FakeWebArchive_h
 #define Varimarch_Testing_FakeWebArchive_h
 
+#include "Viewer/Archives/ArchiveList.h"
+
 #include <QByteArray>
 #include <QMap>
 #include <QString>
@@ -66,5 +68,17 @@ private:
   QMap<QString, QByteArray> answers;
   QMap<QTcpSocket*, QByteArray> pending;
 };
+
+/// Makes the server the only archive of the user, under the name "hospital".
+inline void KeepAsHospital(const FakeWebArchive& server)
+{
+  varimarch::NamedArchive archive;
+  archive.name = "hospital";
+  archive.address.url = server.Url().toStdString();
+  // GCC 12 wrongly warns of a vector of one made in place.
+  QVector<varimarch::NamedArchive> archives;
+  archives.append(archive);
+  varimarch::KeepArchives(archives);
+}
 
 #endif

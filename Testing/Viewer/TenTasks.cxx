@@ -56,12 +56,7 @@ public:
     : folder(folder)
     , head(head)
   {
-    NamedArchive archive;
-    archive.name = "hospital";
-    archive.address.url = this->server.Url().toStdString();
-    QVector<NamedArchive> archives;
-    archives.append(archive);
-    KeepArchives(archives);
+    KeepAsHospital(this->server);
     this->server.Answer("/studies", "application/dicom+json", "{}");
   }
 

@@ -64,13 +64,7 @@ protected:
   ArchiveOnScreen()
   {
     QSettings().clear();
-    NamedArchive archive;
-    archive.name = "hospital";
-    archive.address.url = this->server.Url().toStdString();
-    // GCC 12 wrongly warns of a vector of one made in place.
-    QVector<NamedArchive> archives;
-    archives.append(archive);
-    KeepArchives(archives);
+    KeepAsHospital(this->server);
     this->window = std::make_unique<ArchiveWindow>(nullptr);
     this->window->setAttribute(Qt::WA_DeleteOnClose, false);
     this->window->show();

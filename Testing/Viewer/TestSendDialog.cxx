@@ -27,13 +27,7 @@ protected:
   Sending()
   {
     QSettings().clear();
-    NamedArchive archive;
-    archive.name = "hospital";
-    archive.address.url = this->server.Url().toStdString();
-    // GCC 12 wrongly warns of a vector of one made in place.
-    QVector<NamedArchive> archives;
-    archives.append(archive);
-    KeepArchives(archives);
+    KeepAsHospital(this->server);
     this->server.Answer("/studies", "application/dicom+json", "{}");
     this->window.show();
   }
