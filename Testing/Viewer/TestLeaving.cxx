@@ -14,6 +14,18 @@ using namespace varimarch;
 namespace
 {
 
+// Shows a window, accepts the autosaved copy that it offers, and waits for the scan.
+bool Restores(MainWindow& window)
+{
+  window.show();
+  {
+    const Answers yes(QMessageBox::Yes, {});
+    window.OfferAutosaved();
+  }
+  return QTest::qWaitFor(
+    [&] { return window.Model()->CurrentStudy() != nullptr; }, MostMilliseconds);
+}
+
 class Leaving : public Window
 {
 protected:
@@ -111,13 +123,7 @@ TEST_F(Leaving, KeepsTheAutosavedCopyThatWasNotRestored)
   }
   EXPECT_TRUE(QFile::exists(left)) << "nothing was opened that could have replaced it";
   MainWindow later;
-  later.show();
-  {
-    const Answers yes(QMessageBox::Yes, {});
-    later.OfferAutosaved();
-  }
-  ASSERT_TRUE(
-    QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
+  ASSERT_TRUE(Restores(later));
   EXPECT_EQ(later.Model()->CurrentScene().measures.size(), 1u);
   const Answers discard(QMessageBox::Discard, {});
   later.close();
@@ -143,13 +149,7 @@ TEST_F(Leaving, RestoresSegmentsThatWereDrawnBeforeACrash)
   ASSERT_TRUE(QFile::copy(copies + "/autosaved.seg.nrrd", copies + "/autosaved-2.seg.nrrd"));
 
   MainWindow later;
-  later.show();
-  {
-    const Answers yes(QMessageBox::Yes, {});
-    later.OfferAutosaved();
-  }
-  ASSERT_TRUE(
-    QTest::qWaitFor([&] { return later.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
+  ASSERT_TRUE(Restores(later));
   ASSERT_TRUE(later.Model()->CurrentScene().labels);
   EXPECT_EQ(later.Model()->CurrentScene().labels->segments[0].name, "tumour");
   EXPECT_EQ(later.Model()->CurrentStudy()->segmentStatistics[0].voxels, 3);
