@@ -177,13 +177,14 @@ void AddLightCostOptions(CLI::App& command, LightCostArguments& arguments)
 }
 
 void AddLightCostCommand(
-  CLI::App& program, const std::string& commandText, LightFeature feature, const std::string& name)
+  CLI::App& program, const std::string& commandText, const LightFeature& feature)
 {
+  const std::string name = feature.name;
   const auto arguments = std::make_shared<LightCostArguments>();
   arguments->report.commandText = commandText;
   arguments->options.feature = feature;
   CLI::App* app = program.add_subcommand(
-    name, "Measure the time and the error of " + name + ", still, turning and dragged");
+    name, std::string("Measure the cost of ") + feature.text + ": still, turning and dragged");
   const std::string command = "  varimarch-bench " + name;
   app->footer("Writes " + name + ".md and .json after each scene.\nExamples:\n" + command +
     " --volumes volumes -o report\n" + command + " head.nii.gz -o report --side 256");
@@ -358,8 +359,10 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddWorkPrecisionCommand(program, commandText);
   AddPublishedCommand(program, commandText);
   AddSpeedCommand(program, commandText);
-  AddLightCostCommand(program, commandText, LightFeature::Shadows, "shadows");
-  AddLightCostCommand(program, commandText, LightFeature::Occlusion, "occlusion");
+  for (const LightFeature& feature : LightFeatures())
+  {
+    AddLightCostCommand(program, commandText, feature);
+  }
   AddLightMethodsCommand(program, commandText);
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);

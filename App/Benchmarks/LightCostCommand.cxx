@@ -33,11 +33,6 @@ constexpr std::array<LightMotion, LightMotions> Motions = { LightMotion::Still,
   LightMotion::Turning, LightMotion::LightDragged };
 constexpr std::array<const char*, LightMotions> MotionNames = { "still", "turning", "dragged" };
 
-bool IsOfShadows(const LightCostPage& page)
-{
-  return page.options.feature == LightFeature::Shadows;
-}
-
 std::string Row(const LightCost& measured)
 {
   std::string row = "| " + measured.scene + " |";
@@ -54,14 +49,13 @@ std::string Row(const LightCost& measured)
 std::string Markdown(const LightCostPage& page)
 {
   const std::string side = std::to_string(page.options.side);
-  const std::string feature =
-    IsOfShadows(page) ? "shadows" : "ambient occlusion of strength 0.5 and a reach of 16 voxels";
+  const std::string feature = page.options.feature.text;
   std::string text = "# Cost of " + feature + "\n\n" + TextOf(page.machine) + ". Images of " +
     side + " x " + side + ", error tolerance " + Fixed(255.0 * page.options.errorTolerance, 2) +
     " of 255, one light fixed in the world, medians of " + std::to_string(page.options.rounds) +
     " alternating rounds. Made by\n\n    " + page.commandText + "\n\nTimes without and with " +
-    feature + " [ms] and their factor, still, while the camera turns, and while " +
-    (IsOfShadows(page) ? "the light" : "the strength") +
+    feature + " [ms] and their factor, still, while the camera turns, and while " + "the " +
+    page.options.feature.dragged +
     " is dragged; the first frame with it [ms]; and its errors [1/255] against rays with samples " +
     Fixed(FineDistanceVoxels(page.options.errorTolerance), 3) +
     " of a voxel apart.\n\n"
@@ -114,7 +108,7 @@ void RunLightCost(const LightCostArguments& arguments)
   LightCostPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {}, {} };
   const SpeedScenes loaded = LoadBenchScenes(arguments.scenes);
   const std::filesystem::path folder = OutputFolder(arguments.report.outputFolder);
-  const std::string name = IsOfShadows(page) ? "shadows" : "occlusion";
+  const std::string name = page.options.feature.name;
   for (const LoadedScene& scene : loaded.scenes)
   {
     SetInterruptNotice(folder,

@@ -112,9 +112,9 @@ private:
   vtkSmartPointer<vtkComparisonMapper> comparison; ///< null for our mapper
 };
 
-Scene SceneOf(const LightMethod& method, const Scene& plain)
+Scene SceneOf(const LightMethod& method, const Scene& plain, const Scene& shadowed)
 {
-  Scene scene = method.hasShadows ? WithFeature(plain, LightFeature::Shadows) : plain;
+  Scene scene = method.hasShadows ? shadowed : plain;
   scene.render.errorTolerance *= method.toleranceFactor;
   return scene;
 }
@@ -154,10 +154,10 @@ LightMethodsCase MeasureLightMethods(
   const LoadedScene& loaded, const LightCostOptions& options, const OnStep& onStep)
 {
   const Scene plain = LitScene(loaded, options);
+  const Scene shadowed = WithFeature(plain, options.feature);
   vtkImageData* const image = loaded.volume.image;
   onStep("fine image");
-  OffscreenView fine(FineScene(WithFeature(plain, LightFeature::Shadows), options.errorTolerance),
-    image, MapperKind::Varimarch);
+  OffscreenView fine(FineScene(shadowed, options.errorTolerance), image, MapperKind::Varimarch);
   const std::vector<float> truth = PixelsOf(fine);
   const std::vector<LightMethod>& methods = LightMethods();
   LightMethodsCase measured = { loaded.name, std::vector<LightMethodCost>(methods.size()) };
@@ -167,7 +167,7 @@ LightMethodsCase MeasureLightMethods(
     for (std::size_t i = 0; i < methods.size(); ++i)
     {
       onStep(methods[i].name + ", round " + std::to_string(round + 1));
-      MethodInLight view(methods[i], SceneOf(methods[i], plain), image);
+      MethodInLight view(methods[i], SceneOf(methods[i], plain, shadowed), image);
       times[i].first.push_back(view.FrameMs());
       times[i].still.push_back(view.StillMs());
       if (round == 0)

@@ -29,6 +29,28 @@ std::array<double, 3> UpperRightOf(vtkCamera* camera)
 
 }
 
+const std::vector<LightFeature>& LightFeatures()
+{
+  static const std::vector<LightFeature> features = {
+    { "shadows", "shadows", "light", [](Scene& scene) { scene.shadows = 1.0; } },
+    { "occlusion", "ambient occlusion of strength 0.5 and a reach of 16 voxels", "strength",
+      [](Scene& scene) { scene.occlusion.strength = 0.5; } },
+    { "soft-shadows", "shadows of a light of 10 degrees to either side", "light",
+      [](Scene& scene)
+      {
+        scene.shadows = 1.0;
+        scene.lights.front().softnessDegrees = 10.0;
+      } },
+    { "scattering", "shadows, and half of the light scattered", "light",
+      [](Scene& scene)
+      {
+        scene.shadows = 1.0;
+        scene.scattering.blending = 0.5;
+      } },
+  };
+  return features;
+}
+
 Scene LitScene(const LoadedScene& loaded, const LightCostOptions& options)
 {
   Scene scene = loaded.scene;
@@ -41,11 +63,9 @@ Scene LitScene(const LoadedScene& loaded, const LightCostOptions& options)
   return scene;
 }
 
-Scene WithFeature(Scene scene, LightFeature feature)
+Scene WithFeature(Scene scene, const LightFeature& feature)
 {
-  constexpr double Strength = 0.5;
-  scene.shadows = feature == LightFeature::Shadows;
-  scene.occlusion.strength = feature == LightFeature::Occlusion ? Strength : 0.0;
+  feature.add(scene);
   return scene;
 }
 

@@ -12,17 +12,21 @@ class OffscreenView;
 
 // The scenes of measurements of light, and their true images.
 
-/// The light whose cost is measured.
-enum class LightFeature
+/// A kind of light whose cost is measured. Each has a command and a report of its name.
+struct LightFeature
 {
-  Shadows,
-  Occlusion, ///< ambient occlusion with half of its full strength
+  const char* name;
+  const char* text;    ///< the feature in words
+  const char* dragged; ///< the setting that is dragged
+  void (*add)(Scene&); ///< adds it to a scene with one light
 };
+
+const std::vector<LightFeature>& LightFeatures();
 
 struct LightCostOptions
 {
-  LightFeature feature = LightFeature::Shadows;
-  int side = 512; ///< side of the square images [pixels]
+  LightFeature feature = LightFeatures().front(); ///< shadows
+  int side = 512;                                 ///< side of the square images [pixels]
   int rounds = 3;
   double errorTolerance = 1.0 / 64.0; ///< tolerance of the measurements of time
   /// Tolerances whose errors are measured, and the number of views in which they are.
@@ -34,7 +38,7 @@ struct LightCostOptions
 /// and has no feature yet.
 Scene LitScene(const LoadedScene& loaded, const LightCostOptions& options);
 
-Scene WithFeature(Scene scene, LightFeature feature);
+Scene WithFeature(Scene scene, const LightFeature& feature);
 
 /// The distance between samples of images that judge others [voxels]. At an eighth, shadows of
 /// dense material are wrong by 2 of 255 for 99.9 % of the pixels, and by far more for single ones.
