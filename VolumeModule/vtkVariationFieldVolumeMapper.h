@@ -699,9 +699,9 @@ public:
    * are not interactive; a distance of 0, the default, ends this. Of all parts, the shortest
    * distance, with pre-integration if any part has found it, keeps the tolerance.
    */
-  bool FindSteps(
+  virtual bool FindSteps(
     vtkRenderer* renderer, vtkVolume* volume, double& sampleDistance, bool& preIntegration);
-  void SetCommonSteps(double sampleDistance, bool preIntegration);
+  virtual void SetCommonSteps(double sampleDistance, bool preIntegration);
   ///@}
 
   /**
@@ -738,6 +738,12 @@ protected:
   ~vtkVariationFieldVolumeMapper() override;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
+
+  /**
+   * Draws one volume when its turn among the renderer's volumes has come. Exceptions are reported
+   * as errors. A subclass may draw the volume in parts.
+   */
+  virtual void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
 
   int AccelerationMode = OpticalField;
   vtkTypeBool ProcessorMarching = 1;
@@ -787,7 +793,6 @@ protected:
 
 private:
   void LockSampleDistance();
-  void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
   void ReportOnce(const std::string& problem);
   void WarnOnce(const std::string& warning);
 

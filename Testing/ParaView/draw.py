@@ -34,6 +34,20 @@ for axis, name in enumerate("XYZ"):
     getattr(grid, f"Set{name}Coordinates")(places)
 grid.GetPointData().ShallowCopy(image.GetPointData())
 """
+# The script of a filter that cuts an image at the middle of each axis.
+BLOCKS = """
+import itertools
+from vtkmodules.vtkCommonDataModel import vtkImageData
+image, blocks = self.GetInputDataObject(0, 0), self.GetOutputDataObject(0)
+extent = image.GetExtent()
+halves = [((lower, (lower + upper) // 2), ((lower + upper) // 2, upper))
+          for lower, upper in zip(extent[::2], extent[1::2])]
+for i, (x, y, z) in enumerate(itertools.product(*halves)):
+    block = vtkImageData()
+    block.ShallowCopy(image)
+    block.Crop((*x, *y, *z))
+    blocks.SetBlock(i, block)
+"""
 
 
 def case(function):
@@ -214,7 +228,14 @@ def cropped_partition(stage):
 
 @case
 def blocks(stage):
-    """Two images in a multi-block data set."""
+    """A multi-block data set of the eight images into which each process cuts its own."""
+    of_wavelet(stage, lambda source: simple.ProgrammableFilter(
+        Input=source, OutputDataSetType="vtkMultiblockDataSet", Script=BLOCKS))
+
+
+@case
+def overlapping(stage):
+    """Two images at the same place in a multi-block data set."""
     of_wavelet(stage, lambda source: simple.GroupDatasets(Input=[source, simple.Wavelet()]))
 
 

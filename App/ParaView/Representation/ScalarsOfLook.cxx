@@ -1,12 +1,18 @@
 #include "ScalarsOfLook.h"
 
+#include "vtkAbstractVolumeMapper.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
 #include "vtkSMPTools.h"
-#include "vtkScalarsToColors.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace varimarch
@@ -45,13 +51,42 @@ vtkSmartPointer<vtkDataArray> Component(vtkDataArray* vectors, int component)
   return scalars;
 }
 
-}
-
-vtkSmartPointer<vtkDataArray> ScalarsOfLook(vtkDataArray* vectors, vtkScalarsToColors* look)
+vtkSmartPointer<vtkDataArray> MappedScalars(vtkDataArray* vectors, vtkScalarsToColors* look)
 {
   return look->GetVectorMode() == vtkScalarsToColors::MAGNITUDE
     ? Magnitudes(vectors)
     : Component(vectors, look->GetVectorComponent());
+}
+
+}
+
+void ScalarsOfLook::Choose(vtkDataSet* given, vtkVolumeMapper* chooser, vtkVolumeProperty* property)
+{
+  int cellFlag = 0;
+  vtkDataArray* const array = vtkAbstractVolumeMapper::GetScalars(given, chooser->GetScalarMode(),
+    chooser->GetArrayAccessMode(), chooser->GetArrayId(), chooser->GetArrayName(), cellFlag);
+  if (!array || array->GetNumberOfComponents() == 1 || !property->GetIndependentComponents())
+  {
+    *this = ScalarsOfLook();
+    this->data = given;
+    return;
+  }
+  vtkColorTransferFunction* const look = property->GetRGBTransferFunction(0);
+  std::ostringstream key;
+  key << given << " " << given->GetMTime() << " " << array << " " << array->GetMTime() << " "
+      << look->GetVectorMode() << " " << look->GetVectorComponent();
+  if (this->source == key.str())
+  {
+    return;
+  }
+  this->source = key.str();
+  this->name = std::string(array->GetName() ? array->GetName() : "scalars") + " of a vector";
+  vtkSmartPointer<vtkDataArray> scalars = MappedScalars(array, look);
+  scalars->SetName(this->name.c_str());
+  this->data.TakeReference(given->NewInstance());
+  this->data->ShallowCopy(given);
+  this->data->GetAttributes(cellFlag == 0 ? vtkDataObject::POINT : vtkDataObject::CELL)
+    ->AddArray(scalars);
 }
 
 }

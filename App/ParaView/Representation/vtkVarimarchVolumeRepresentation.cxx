@@ -1,30 +1,29 @@
 #include "vtkVarimarchVolumeRepresentation.h"
 
+#include "Core/Blocks/BoxOrder.h"
 #include "OwnedPart.h"
-#include "ScalarsOfLook.h"
+#include "vtkVarimarchPartsMapper.h"
 
-#include "vtkAbstractVolumeMapper.h"
 #include "vtkBoundingBox.h"
-#include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVLogger.h"
 #include "vtkPVRenderView.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkVariationFieldVolumeMapper.h"
 #include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -63,7 +62,7 @@ bool IsComposite(int blendMode)
 vtkStandardNewMacro(vtkVarimarchVolumeRepresentation);
 
 vtkVarimarchVolumeRepresentation::vtkVarimarchVolumeRepresentation()
-  : Mapper(vtkVariationFieldVolumeMapper::New())
+  : Mapper(vtkVarimarchPartsMapper::New())
 {
   this->VolumeMapper.TakeReference(this->Mapper);
   // This width is 1 but for rounding. It limits premultiplied colours to the opacity, as light may
@@ -89,6 +88,16 @@ void vtkVarimarchVolumeRepresentation::SetShadows(bool shadows)
   this->Mapper->SetShadows(shadows);
 }
 
+void vtkVarimarchVolumeRepresentation::SetShadowStrength(double strength)
+{
+  this->Mapper->SetShadowStrength(strength);
+}
+
+void vtkVarimarchVolumeRepresentation::SetAmbientOcclusion(double strength)
+{
+  this->Mapper->SetAmbientOcclusion(strength);
+}
+
 void vtkVarimarchVolumeRepresentation::SetBlendMode(int blendMode)
 {
   this->Mapper->SetBlendMode(blendMode);
@@ -101,12 +110,12 @@ void vtkVarimarchVolumeRepresentation::SetCropping(int cropping)
 
 void vtkVarimarchVolumeRepresentation::SetVolumetricScatteringBlending(float blending)
 {
-  if (blending > 0.0F)
-  {
-    vtkWarningMacro("VolumetricScatteringBlending is "
-      << blending << ", but \"Volume (Varimarch)\" does not scatter: expected 0; switch its "
-      << "shadows on instead, or choose ParaView's \"Volume\"");
-  }
+  this->Mapper->SetVolumetricScatteringBlending(blending);
+}
+
+void vtkVarimarchVolumeRepresentation::SetGlobalIlluminationReach(float reach)
+{
+  this->Mapper->SetGlobalIlluminationReach(reach);
 }
 
 void vtkVarimarchVolumeRepresentation::SetPosition(double x, double y, double z)
@@ -133,7 +142,7 @@ void vtkVarimarchVolumeRepresentation::SetOrigin(double x, double y, double z)
   this->MarkModified();
 }
 
-// The box around the part of this process. ParaView's representation gives the view the box before
+// The box around the parts of this process. ParaView's representation gives the view the box before
 // the volume is turned, and the view then composites the parts in a wrong order. Rounding must not
 // make boxes that touch overlap, because the view finds no order for those.
 void vtkVarimarchVolumeRepresentation::BoundsInWorld(double bounds[6])
@@ -194,110 +203,79 @@ int vtkVarimarchVolumeRepresentation::FillInputPortInformation(
   return result;
 }
 
-// Gives ParaView's representation the one grid that this process has, or none, in place of a data
-// set of several parts. That representation crops an image to the cells that this process owns.
-// This one keeps the image, and crops what is drawn.
+// Gives ParaView's representation one grid, or none, in place of a data set of several parts. That
+// representation crops an image to the cells that this process owns; this one keeps the voxels
+// around them, and crops what is drawn.
 int vtkVarimarchVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkNew<vtkInformationVector> grids;
+  const bool hasInput = inputs[0]->GetNumberOfInformationObjects() == 1;
+  vtkDataObject* const data = hasInput ? vtkDataObject::GetData(inputs[0], 0) : nullptr;
+  const std::vector<vtkDataSet*> grids = varimarch::GridsIn(data);
+  this->HasBlocks = vtkCompositeDataSet::SafeDownCast(data) != nullptr;
+  vtkNew<vtkInformationVector> one;
   vtkInformationVector* inputsOfOne[] = { inputs[0] };
-  auto* const parts = inputs[0]->GetNumberOfInformationObjects() == 1
-    ? vtkCompositeDataSet::GetData(inputs[0], 0)
-    : nullptr;
-  this->HasParts = parts != nullptr;
-  if (parts)
+  if (this->HasBlocks)
   {
-    const std::vector<vtkDataSet*> found = varimarch::GridsIn(parts);
-    this->Grids = found.size();
     vtkNew<vtkImageData> none;
-    grids->Append(InformationOf(found.size() == 1 ? found.front() : none.Get()));
-    inputsOfOne[0] = grids;
+    one->Append(InformationOf(grids.empty() ? none.Get() : grids.front()));
+    inputsOfOne[0] = one;
   }
   const int result = this->Superclass::RequestData(request, inputsOfOne, outputs);
-  auto* const image = inputsOfOne[0]->GetNumberOfInformationObjects() == 1
-    ? vtkImageData::GetData(inputsOfOne[0], 0)
-    : nullptr;
-  this->HasNeighbours = image && image->HasAnyGhostCells() && varimarch::IsAxisAligned(image) &&
-    !this->UseSeparateOpacityArray;
-  if (this->HasNeighbours)
+  std::vector<varimarch::OwnedPart> parts;
+  for (vtkDataSet* grid : grids)
   {
-    this->Cache = varimarch::WithoutFlagsOfNeighbours(image);
+    parts.push_back(varimarch::PartOf(grid));
+    if (this->UseSeparateOpacityArray)
+    {
+      this->AppendOpacityComponent(parts.back().data);
+    }
+  }
+  this->Mapper->SetParts(parts);
+  this->Mapper->GetBounds(this->DataBounds);
+  if (!parts.empty())
+  {
+    this->OutlineSource->SetBounds(this->DataBounds);
+    this->OutlineSource->Update();
   }
   return result;
 }
 
-// Crops to the cells that this process owns, and to the box that the user has set as parts of the
-// whole volume.
-void vtkVarimarchVolumeRepresentation::CropToOwnPart()
+// Crops to the box that the user has set as parts of the whole volume.
+void vtkVarimarchVolumeRepresentation::CropToBox()
 {
-  this->Mapper->SetCropping(this->Cropping || this->HasNeighbours);
+  this->Mapper->SetCropping(this->Cropping);
   double planes[6];
-  std::copy_n(this->DataBounds, 6, planes);
   auto* const image = vtkImageData::SafeDownCast(this->Cache);
-  for (int plane = 0; this->Cropping && plane < 6; ++plane)
+  const bool isPiece = image && !this->HasBlocks && image->GetDirectionMatrix()->IsIdentity();
+  for (int plane = 0; plane < 6; ++plane)
   {
     const int axis = plane / 2;
-    const double whole = image && varimarch::IsAxisAligned(image)
+    const double whole = isPiece
       ? image->GetOrigin()[axis] + image->GetSpacing()[axis] * this->WholeExtent[plane]
       : this->DataBounds[plane];
-    const double place = this->CroppingOrigin[axis] + whole * this->CroppingScale[axis];
-    planes[plane] =
-      plane % 2 == 0 ? std::max(planes[plane], place) : std::min(planes[plane], place);
+    planes[plane] = this->CroppingOrigin[axis] + whole * this->CroppingScale[axis];
   }
   this->Mapper->SetCroppingRegionPlanes(planes);
 }
 
-// Replaces vectors by the scalars that a transfer function of one component maps.
-void vtkVarimarchVolumeRepresentation::ChooseScalars()
-{
-  vtkDataSet* const data = this->Mapper->GetDataSetInput();
-  int cellFlag = 0;
-  vtkDataArray* const array = data
-    ? vtkAbstractVolumeMapper::GetScalars(data, this->Mapper->GetScalarMode(),
-        this->Mapper->GetArrayAccessMode(), this->Mapper->GetArrayId(),
-        this->Mapper->GetArrayName(), cellFlag)
-    : nullptr;
-  if (!array || array->GetNumberOfComponents() == 1 || !this->Property->GetIndependentComponents())
-  {
-    return;
-  }
-  vtkColorTransferFunction* const look = this->Property->GetRGBTransferFunction(0);
-  const std::string source = std::string(array->GetName() ? array->GetName() : "scalars") + " " +
-    std::to_string(look->GetVectorMode()) + " " + std::to_string(look->GetVectorComponent());
-  const std::string name = source + " of a vector";
-  if (this->ScalarsSource != source || this->ScalarsTime != array->GetMTime())
-  {
-    this->Scalars = varimarch::ScalarsOfLook(array, look);
-    this->Scalars->SetName(name.c_str());
-    this->ScalarsSource = source;
-    this->ScalarsTime = array->GetMTime();
-  }
-  vtkSmartPointer<vtkDataSet> copy;
-  copy.TakeReference(data->NewInstance());
-  copy->ShallowCopy(data);
-  copy->GetAttributes(cellFlag == 0 ? vtkDataObject::POINT : vtkDataObject::CELL)
-    ->AddArray(this->Scalars);
-  this->Mapper->SetInputDataObject(copy);
-  this->Mapper->SelectScalarArray(name.c_str());
-}
-
-// Lets all processes use the shortest steps that any of them needs. ParaView begins to render on
-// all of them, also on those that then draw nothing, so that none waits for another in vain.
+// Lets all parts, on all processes, use the shortest steps that any of them needs. ParaView begins
+// to render on all processes, also on those that then draw nothing, so that none waits for another
+// in vain.
 void vtkVarimarchVolumeRepresentation::AgreeOnSteps(vtkObject* caller, unsigned long, void*)
 {
   auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
-  if (!HasSeveralProcesses() || !this->GetVisibility() || !view ||
-    !view->GetUseDistributedRenderingForRender())
+  const bool sharesProcesses =
+    HasSeveralProcesses() && view && view->GetUseDistributedRenderingForRender();
+  if (!this->GetVisibility() || (!sharesProcesses && this->Mapper->GetParts().size() < 2))
   {
     return;
   }
   auto* const renderer = vtkRenderer::SafeDownCast(caller);
-  vtkDataSet* const data = this->Mapper->GetDataSetInput();
   constexpr double Unlimited = VTK_DOUBLE_MAX;
   double distance = Unlimited;
   bool preIntegration = false;
-  if (this->Actor->GetVisibility() && data && data->GetNumberOfPoints() > 0)
+  if (this->Actor->GetVisibility())
   {
     this->Part->SetMapper(this->Mapper);
     this->Part->SetProperty(this->Property);
@@ -307,12 +285,57 @@ void vtkVarimarchVolumeRepresentation::AgreeOnSteps(vtkObject* caller, unsigned 
   }
   // The least of both numbers of all processes; the second is -1 if any of them pre-integrates.
   const double own[] = { distance, preIntegration ? -1.0 : 0.0 };
-  double least[2];
-  vtkMultiProcessController::GetGlobalController()->AllReduce(
-    own, least, 2, vtkCommunicator::MIN_OP);
+  double least[] = { own[0], own[1] };
+  if (sharesProcesses)
+  {
+    vtkMultiProcessController::GetGlobalController()->AllReduce(
+      own, least, 2, vtkCommunicator::MIN_OP);
+    this->WarnOfOverlap(renderer);
+  }
   this->Mapper->SetCommonSteps(least[0] < Unlimited ? least[0] : 0.0, least[1] < 0.0);
   vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "Varimarch: own steps %g, common steps %g%s", own[0],
     least[0], least[1] < 0.0 ? ", pre-integrated" : "");
+}
+
+// ParaView composites the pictures of processes in the order of boxes around all volumes that each
+// of them has, and finds no order for boxes that overlap.
+void vtkVarimarchVolumeRepresentation::WarnOfOverlap(vtkRenderer* renderer)
+{
+  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
+  vtkBoundingBox own;
+  vtkCollectionSimpleIterator iterator;
+  vtkVolumeCollection* const volumes = renderer->GetVolumes();
+  for (volumes->InitTraversal(iterator); vtkVolume* volume = volumes->GetNextVolume(iterator);)
+  {
+    if (volume->GetVisibility() && volume->GetBounds())
+    {
+      own.AddBounds(volume->GetBounds());
+    }
+  }
+  double bounds[6];
+  own.GetBounds(bounds);
+  std::vector<double> all(6 * controller->GetNumberOfProcesses());
+  controller->AllGather(bounds, all.data(), 6);
+  std::vector<varimarch::Box> boxes;
+  std::vector<int> owners;
+  for (int process = 0; process < controller->GetNumberOfProcesses(); ++process)
+  {
+    const double* const box = &all[6 * process];
+    if (box[0] <= box[1])
+    {
+      boxes.push_back({ { box[0], box[2], box[4] }, { box[1], box[3], box[5] } });
+      owners.push_back(process);
+    }
+  }
+  const auto overlap = varimarch::FirstOverlap(boxes);
+  if (overlap && !this->HasWarnedOfOverlap && controller->GetLocalProcessId() == 0)
+  {
+    vtkWarningMacro("The boxes around the volumes of the processes "
+      << owners[overlap->first] << " and " << owners[overlap->second]
+      << " overlap, and ParaView may lay their parts of the picture over each other in a wrong "
+         "order: expected volumes that are not turned and are divided alike, or one process.");
+  }
+  this->HasWarnedOfOverlap = overlap.has_value();
 }
 
 bool vtkVarimarchVolumeRepresentation::AddToView(vtkView* view)
@@ -336,33 +359,44 @@ bool vtkVarimarchVolumeRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
-// A sentence that says why this process cannot draw its part; empty if it can.
+// A sentence that says why this process cannot draw its parts; empty if it can.
 std::string vtkVarimarchVolumeRepresentation::Problem()
 {
-  if (HasSeveralProcesses() && !IsComposite(this->Mapper->GetBlendMode()))
+  const std::vector<varimarch::OwnedPart>& parts = this->Mapper->GetParts();
+  const bool isDivided = HasSeveralProcesses() || parts.size() > 1;
+  if (isDivided && !IsComposite(this->Mapper->GetBlendMode()))
   {
     return std::string("The blend mode is ") + std::to_string(this->Mapper->GetBlendMode()) +
-      ", whose value of a pixel needs the whole ray, but several processes have a part of it each: "
-      "expected composite (0), isosurface (5) or slice (6), or one process";
+      ", whose value of a pixel needs the whole ray, but several processes or images have a part "
+      "of "
+      "it each: expected composite (0), isosurface (5) or slice (6), or one process and one image";
   }
-  if (HasSeveralProcesses() && this->Mapper->GetShadows())
+  if (isDivided && this->DimsLight())
   {
-    return "Shadows are on, but a process does not have the parts of the volume between its own "
-           "and "
-           "a light: expected shadows off, or one process";
+    return "Shadows, ambient occlusion or scattering are on, but a process or image does not have "
+           "the parts of the volume between its own and a light: expected them to be off, or one "
+           "process and one image";
   }
-  if (this->HasParts && this->Grids > 1)
+  if (const auto overlap = varimarch::FirstOverlap(varimarch::BoxesOf(parts)))
   {
-    return "The input has " + std::to_string(this->Grids) +
-      " images and rectilinear grids in this process: expected one; extract one of them, or choose "
-      "ParaView's \"Volume\"";
+    return "The images " + std::to_string(overlap->first + 1) + " and " +
+      std::to_string(overlap->second + 1) +
+      " of the input overlap, so that no order to draw them in is right: expected images that "
+      "touch at most; extract one of them, or choose ParaView's \"Volume\"";
   }
-  if (this->HasParts && this->Cropping && HasSeveralProcesses())
+  if (this->HasBlocks && this->Cropping && HasSeveralProcesses())
   {
-    return "Cropping is on, but a process does not know the whole of which its image is a part: "
+    return "Cropping is on, but a process does not know the whole of which its images are a part: "
            "expected no cropping, one process, or an image that a reader has divided";
   }
   return std::string();
+}
+
+// True if light is dimmed by what it has passed.
+bool vtkVarimarchVolumeRepresentation::DimsLight()
+{
+  return this->Mapper->GetShadows() || this->Mapper->GetAmbientOcclusion() > 0.0 ||
+    this->Mapper->GetVolumetricScatteringBlending() > 0.0;
 }
 
 void vtkVarimarchVolumeRepresentation::UpdateMapperParameters()
@@ -383,15 +417,13 @@ void vtkVarimarchVolumeRepresentation::UpdateMapperParameters()
     this->Actor->SetVisibility(0);
     return;
   }
-  this->CropToOwnPart();
-  this->ChooseScalars();
+  this->CropToBox();
 }
 
 void vtkVarimarchVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Cropping: " << this->Cropping << "\n";
-  os << indent << "HasNeighbours: " << this->HasNeighbours << "\n";
   os << indent << "Mapper:\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

@@ -1,15 +1,17 @@
 /**
  * @class   vtkVarimarchVolumeRepresentation
- * @brief   ParaView's representation of an image as a volume, drawn by
+ * @brief   ParaView's representation of images as a volume, drawn by
  * vtkVariationFieldVolumeMapper
  *
  * It has the properties of ParaView's "Volume" and those of the mapper that ParaView's does not
- * have: error tolerance, acceleration and shadows. Several processes each draw the box of cells
- * that they own, with the voxels around it for the light at its faces, and ParaView composites the
- * pictures. Before a still image they agree on steps: the shortest that any of them needs.
+ * have: error tolerance, acceleration, shadows and ambient occlusion. Several processes each draw
+ * the boxes of cells that they own, with the voxels around them for the light at their faces, and
+ * ParaView composites the pictures. Before a still image they agree on steps: the shortest that any
+ * part needs.
  *
- * ParaView lays the pictures of several processes over each other. Blend modes for which this gives
- * no right picture, all projections, are refused with a message if there is more than one process.
+ * Pictures of several processes, and of several images of a multi-block data set, are laid over
+ * each other. What this gives no right picture of, projections and shadows, is refused with a
+ * message.
  *
  * @sa vtkVariationFieldVolumeMapper
  */
@@ -21,12 +23,10 @@
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkNew.h" // For Part
 
-#include <cstddef> // For Grids
-#include <string>  // For ReportedProblem
+#include <string> // For ReportedProblem
 
-class vtkDataArray;
-class vtkDataSet;
-class vtkVariationFieldVolumeMapper;
+class vtkRenderer;
+class vtkVarimarchPartsMapper;
 class vtkVolume;
 
 class VARIMARCHPARAVIEWREPRESENTATION_EXPORT vtkVarimarchVolumeRepresentation
@@ -44,6 +44,8 @@ public:
   void SetErrorTolerance(double tolerance);
   void SetAccelerationMode(int mode);
   void SetShadows(bool shadows);
+  void SetShadowStrength(double strength);
+  void SetAmbientOcclusion(double strength);
   ///@}
 
   ///@{
@@ -53,6 +55,7 @@ public:
   void SetBlendMode(int blendMode);
   void SetCropping(int cropping);
   void SetVolumetricScatteringBlending(float blending);
+  void SetGlobalIlluminationReach(float reach);
   void SetPosition(double x, double y, double z);
   void SetOrientation(double x, double y, double z);
   void SetScale(double x, double y, double z);
@@ -77,22 +80,19 @@ protected:
 
 private:
   void AgreeOnSteps(vtkObject* renderer, unsigned long event, void* data);
-  void CropToOwnPart();
-  void ChooseScalars();
+  void WarnOfOverlap(vtkRenderer* renderer);
+  void CropToBox();
+  bool DimsLight();
   std::string Problem();
   void BoundsInWorld(double bounds[6]);
 
-  vtkVariationFieldVolumeMapper* Mapper; // the object in VolumeMapper
+  vtkVarimarchPartsMapper* Mapper; // the object in VolumeMapper
   bool Cropping = false;
-  bool HasNeighbours = false; // true if the cache has voxels of other processes around DataBounds
-  bool HasParts = false;      // true if the input is a data set of several parts
-  std::size_t Grids = 0;      // the number of those parts of this process that can be drawn
+  bool HasBlocks = false; // true if the input is a data set of several parts
+  bool HasWarnedOfOverlap = false;
   vtkNew<vtkVolume> Part; // the volume for which steps are found, as ParaView's contains another
   unsigned long Observer = 0;
   std::string ReportedProblem;
-  vtkSmartPointer<vtkDataArray> Scalars; // the scalars that were made from a vector
-  vtkMTimeType ScalarsTime = 0;
-  std::string ScalarsSource;
 
   vtkVarimarchVolumeRepresentation(const vtkVarimarchVolumeRepresentation&) = delete;
   void operator=(const vtkVarimarchVolumeRepresentation&) = delete;

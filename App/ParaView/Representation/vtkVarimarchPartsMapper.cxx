@@ -1,0 +1,174 @@
+#include "vtkVarimarchPartsMapper.h"
+
+#include "Core/Blocks/BoxOrder.h"
+#include "ScalarsOfLook.h"
+
+#include "vtkCamera.h"
+#include "vtkDataSet.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace
+{
+
+// The eye in the coordinates of the data; at infinity, as the direction towards it, for a parallel
+// projection.
+glm::dvec4 EyeOf(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  double eye[4] = { 0.0, 0.0, 0.0, camera->GetParallelProjection() ? 0.0 : 1.0 };
+  if (camera->GetParallelProjection())
+  {
+    camera->GetDirectionOfProjection(eye);
+    std::transform(eye, eye + 3, eye, [](double x) { return -x; });
+  }
+  else
+  {
+    camera->GetPosition(eye);
+  }
+  vtkNew<vtkMatrix4x4> dataFromWorld;
+  volume->GetMatrix(dataFromWorld);
+  dataFromWorld->Invert();
+  dataFromWorld->MultiplyPoint(eye, eye);
+  return { eye[0], eye[1], eye[2], eye[3] };
+}
+
+}
+
+struct vtkVarimarchPartsMapper::Drawer
+{
+  vtkNew<vtkVariationFieldVolumeMapper> Mapper;
+  varimarch::ScalarsOfLook Scalars;
+};
+
+vtkStandardNewMacro(vtkVarimarchPartsMapper);
+
+vtkVarimarchPartsMapper::vtkVarimarchPartsMapper() = default;
+
+vtkVarimarchPartsMapper::~vtkVarimarchPartsMapper() = default;
+
+void vtkVarimarchPartsMapper::SetParts(std::vector<varimarch::OwnedPart> parts)
+{
+  this->Parts = std::move(parts);
+  this->Drawers.resize(std::min(this->Drawers.size(), this->Parts.size()));
+  while (this->Drawers.size() < this->Parts.size())
+  {
+    this->Drawers.push_back(std::make_unique<Drawer>());
+  }
+  this->Modified();
+}
+
+double* vtkVarimarchPartsMapper::GetBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  const varimarch::Box box = varimarch::BoxAround(varimarch::BoxesOf(this->Parts));
+  for (int axis = 0; axis < 3 && !this->Parts.empty(); ++axis)
+  {
+    this->Bounds[2 * axis] = box.lower[axis];
+    this->Bounds[2 * axis + 1] = box.upper[axis];
+  }
+  return this->Bounds;
+}
+
+// Crops to the part, and to the box that is set for this mapper.
+void vtkVarimarchPartsMapper::CropPart(const varimarch::OwnedPart& part, vtkVolumeMapper* mapper)
+{
+  double planes[6];
+  this->GetCroppingRegionPlanes(planes);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double& lower = planes[2 * axis];
+    double& upper = planes[2 * axis + 1];
+    lower = this->Cropping ? std::max(lower, part.box.lower[axis]) : part.box.lower[axis];
+    upper = this->Cropping ? std::min(upper, part.box.upper[axis]) : part.box.upper[axis];
+  }
+  mapper->SetCropping(this->Cropping || part.hasNeighbours);
+  mapper->SetCroppingRegionPlanes(planes);
+}
+
+void vtkVarimarchPartsMapper::ForwardSettings(vtkVolume* volume)
+{
+  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  {
+    vtkVariationFieldVolumeMapper* const mapper = this->Drawers[i]->Mapper;
+    varimarch::ScalarsOfLook& scalars = this->Drawers[i]->Scalars;
+    scalars.Choose(this->Parts[i].data, this, volume->GetProperty());
+    mapper->SetInputDataObject(scalars.Data());
+    mapper->SetScalarMode(this->ScalarMode);
+    mapper->SelectScalarArray(this->ArrayId);
+    mapper->SelectScalarArray(scalars.Name().empty() ? this->ArrayName : scalars.Name().c_str());
+    mapper->SetArrayAccessMode(
+      scalars.Name().empty() ? this->ArrayAccessMode : VTK_GET_ARRAY_BY_NAME);
+    this->CropPart(this->Parts[i], mapper);
+    mapper->SetClippingPlanes(this->ClippingPlanes);
+    mapper->SetBlendMode(this->BlendMode);
+    mapper->SetErrorTolerance(this->ErrorTolerance);
+    mapper->SetAccelerationMode(this->AccelerationMode);
+    mapper->SetFinalColorWindow(this->FinalColorWindow);
+    mapper->SetShadows(this->Shadows);
+    mapper->SetShadowStrength(this->ShadowStrength);
+    mapper->SetAmbientOcclusion(this->AmbientOcclusion);
+    mapper->SetVolumetricScatteringBlending(this->VolumetricScatteringBlending);
+    mapper->SetGlobalIlluminationReach(this->GlobalIlluminationReach);
+  }
+}
+
+bool vtkVarimarchPartsMapper::FindSteps(
+  vtkRenderer* renderer, vtkVolume* volume, double& sampleDistance, bool& preIntegration)
+{
+  this->ForwardSettings(volume);
+  bool isFound = false;
+  for (const std::unique_ptr<Drawer>& drawer : this->Drawers)
+  {
+    double distance = 0.0;
+    bool isPreIntegrated = false;
+    if (drawer->Mapper->FindSteps(renderer, volume, distance, isPreIntegrated))
+    {
+      sampleDistance = isFound ? std::min(sampleDistance, distance) : distance;
+      preIntegration = (isFound && preIntegration) || isPreIntegrated;
+      isFound = true;
+    }
+  }
+  return isFound;
+}
+
+void vtkVarimarchPartsMapper::SetCommonSteps(double sampleDistance, bool preIntegration)
+{
+  for (const std::unique_ptr<Drawer>& drawer : this->Drawers)
+  {
+    drawer->Mapper->SetCommonSteps(sampleDistance, preIntegration);
+  }
+}
+
+void vtkVarimarchPartsMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->ForwardSettings(volume);
+  const std::vector<int> order =
+    varimarch::FrontToBack(varimarch::BoxesOf(this->Parts), EyeOf(renderer, volume));
+  for (auto part = order.rbegin(); part != order.rend(); ++part)
+  {
+    this->Drawers[*part]->Mapper->Render(renderer, volume);
+  }
+}
+
+void vtkVarimarchPartsMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (const std::unique_ptr<Drawer>& drawer : this->Drawers)
+  {
+    drawer->Mapper->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkVarimarchPartsMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Parts: " << this->Parts.size() << "\n";
+}

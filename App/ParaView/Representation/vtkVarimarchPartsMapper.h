@@ -1,0 +1,73 @@
+/**
+ * @class   vtkVarimarchPartsMapper
+ * @brief   draws several images and rectilinear grids that do not overlap as one volume
+ *
+ * Each part has a vtkVariationFieldVolumeMapper of its own with the settings of this one, and they
+ * draw back to front, over each other. The input of this mapper is not drawn; ParaView's volume
+ * only asks whether it has the array. Projections, whose pictures cannot be laid over each other,
+ * and shadows of one part on another are not possible.
+ *
+ * @sa vtkVarimarchVolumeRepresentation
+ */
+
+#ifndef vtkVarimarchPartsMapper_h
+#define vtkVarimarchPartsMapper_h
+
+#include "OwnedPart.h"                             // For OwnedPart
+#include "VarimarchParaViewRepresentationModule.h" // For export macro
+#include "vtkVariationFieldVolumeMapper.h"
+
+#include <memory> // For Drawers
+#include <vector> // For Parts
+
+class VARIMARCHPARAVIEWREPRESENTATION_NO_EXPORT vtkVarimarchPartsMapper
+  : public vtkVariationFieldVolumeMapper
+{
+public:
+  static vtkVarimarchPartsMapper* New();
+  vtkTypeMacro(vtkVarimarchPartsMapper, vtkVariationFieldVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The parts that are drawn, each without its neighbours' voxels.
+   */
+  void SetParts(std::vector<varimarch::OwnedPart> parts);
+  const std::vector<varimarch::OwnedPart>& GetParts() const { return this->Parts; }
+
+  /**
+   * Bounds of all parts, in the coordinates of the data.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  using Superclass::GetBounds;
+
+  ///@{
+  /**
+   * The shortest steps that any part needs, and the steps of all parts.
+   */
+  bool FindSteps(vtkRenderer* renderer, vtkVolume* volume, double& sampleDistance,
+    bool& preIntegration) override;
+  void SetCommonSteps(double sampleDistance, bool preIntegration) override;
+  ///@}
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkVarimarchPartsMapper();
+  ~vtkVarimarchPartsMapper() override;
+
+  void DrawFrame(vtkRenderer* renderer, vtkVolume* volume) override;
+
+private:
+  struct Drawer;
+
+  void ForwardSettings(vtkVolume* volume);
+  void CropPart(const varimarch::OwnedPart& part, vtkVolumeMapper* mapper);
+
+  std::vector<varimarch::OwnedPart> Parts;
+  std::vector<std::unique_ptr<Drawer>> Drawers; // one for each part
+
+  vtkVarimarchPartsMapper(const vtkVarimarchPartsMapper&) = delete;
+  void operator=(const vtkVarimarchPartsMapper&) = delete;
+};
+
+#endif
