@@ -210,6 +210,15 @@ TEST(Labels, NeverOverlapEvenIfThereIsNoRoomForAll)
   EXPECT_LT(taken.size(), 30) << "there is room for 24";
 }
 
+TEST(Labels, GiveWayToTheTextsAtTheEdges)
+{
+  const QRectF corner(200.0, 0.0, 100.0, 32.0);
+  LabelPlaces places({ 300.0, 100.0 }, { corner });
+  const auto place = places.Take({ 210.0, 10.0, 60.0, 15.0 });
+  ASSERT_TRUE(place);
+  EXPECT_FALSE(place->intersects(corner));
+}
+
 TEST_F(Measures, SetTheThicknessOfSlices)
 {
   SlabBar bar(&this->model);

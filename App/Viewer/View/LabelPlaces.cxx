@@ -16,8 +16,9 @@ constexpr double Margin = 2.0; // logical pixels
 
 }
 
-LabelPlaces::LabelPlaces(const QSizeF& image)
+LabelPlaces::LabelPlaces(const QSizeF& image, const std::vector<QRectF>& newTaken)
   : inside(QRectF(QPointF(), image).adjusted(Margin, Margin, -Margin, -Margin))
+  , taken(newTaken)
 {
 }
 

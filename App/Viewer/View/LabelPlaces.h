@@ -13,7 +13,8 @@ namespace varimarch
 class LabelPlaces
 {
 public:
-  explicit LabelPlaces(const QSizeF& image);
+  /// @param newTaken  places of other texts
+  explicit LabelPlaces(const QSizeF& image, const std::vector<QRectF>& newTaken = {});
 
   /// Takes the free place for a label that is nearest to a wanted one. Empty if none is free.
   std::optional<QRectF> Take(const QRectF& wanted);

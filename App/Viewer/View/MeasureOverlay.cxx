@@ -38,7 +38,7 @@ public:
     , measured(measured)
     , frame(frame)
     , shown(shown)
-    , places(frame.size)
+    , places(frame.size, shown.taken)
   {
   }
 
@@ -226,7 +226,7 @@ void MeasurePainter::DrawLabels()
 
 }
 
-void DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QString& text)
+QRectF DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QString& text)
 {
   painter.setPen(QColor(0, 0, 0, 200));
   for (const QPointF& offset :
@@ -235,7 +235,9 @@ void DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QStr
     painter.drawText(box.translated(offset), alignment, text);
   }
   painter.setPen(TextColor);
-  painter.drawText(box, alignment, text);
+  QRectF place;
+  painter.drawText(box, alignment, text, &place);
+  return text.isEmpty() ? QRectF() : place;
 }
 
 void DrawDot(QPainter& painter, const QPointF& place)

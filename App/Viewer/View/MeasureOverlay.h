@@ -31,6 +31,9 @@ struct MeasuresShown
 
   /// Returns true for points behind something opaque; lines are dashed there.
   std::function<bool(const std::array<double, 3>&)> isHidden;
+
+  /// Places of other texts, which labels do not cover [logical pixels].
+  std::vector<QRectF> taken = {};
 };
 
 /// Draws the visible measurements over an image. Their labels never overlap; one for which there is
@@ -38,8 +41,8 @@ struct MeasuresShown
 void DrawMeasures(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame,
   const MeasuresShown& shown);
 
-/// Draws text that is legible on any background.
-void DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QString& text);
+/// Draws text that is legible on any background. Returns the place that it takes.
+QRectF DrawLegibly(QPainter& painter, const QRectF& box, int alignment, const QString& text);
 
 /// Draws a dot that can be dragged.
 void DrawDot(QPainter& painter, const QPointF& place);

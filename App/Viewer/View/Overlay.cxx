@@ -25,18 +25,20 @@ std::array<double, 3> Opposite(const std::array<double, 3>& direction)
   return { -direction[0], -direction[1], -direction[2] };
 }
 
-void DrawLetters(QPainter& painter, const PictureFrame& frame)
+std::vector<QRectF> DrawLetters(QPainter& painter, const PictureFrame& frame)
 {
   const QRectF inside(
     Margin, Margin, frame.size.width() - 2.0 * Margin, frame.size.height() - 2.0 * Margin);
   const auto letters = [](const std::array<double, 3>& direction)
   { return QString::fromStdString(AnatomicalDirection(direction.data())); };
-  DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignVCenter, letters(frame.rightWorld));
-  DrawLegibly(
-    painter, inside, Qt::AlignLeft | Qt::AlignVCenter, letters(Opposite(frame.rightWorld)));
-  DrawLegibly(painter, inside, Qt::AlignTop | Qt::AlignHCenter, letters(frame.upWorld));
-  DrawLegibly(
-    painter, inside, Qt::AlignBottom | Qt::AlignHCenter, letters(Opposite(frame.upWorld)));
+  return {
+    DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignVCenter, letters(frame.rightWorld)),
+    DrawLegibly(
+      painter, inside, Qt::AlignLeft | Qt::AlignVCenter, letters(Opposite(frame.rightWorld))),
+    DrawLegibly(painter, inside, Qt::AlignTop | Qt::AlignHCenter, letters(frame.upWorld)),
+    DrawLegibly(
+      painter, inside, Qt::AlignBottom | Qt::AlignHCenter, letters(Opposite(frame.upWorld))),
+  };
 }
 
 // A cube with the patient's orientation in parallel projection; only faces towards the eye are
@@ -80,11 +82,12 @@ void DrawCube(QPainter& painter, const PictureFrame& frame)
 
 }
 
-void DrawOverlay(
-  QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame, vtkImageData* mask)
+void DrawOverlay(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame,
+  vtkImageData* mask, std::vector<QRectF> taken)
 {
   painter.setRenderHint(QPainter::Antialiasing);
-  DrawLetters(painter, frame);
+  const std::vector<QRectF> letters = DrawLetters(painter, frame);
+  taken.insert(taken.end(), letters.begin(), letters.end());
   DrawCube(painter, frame);
   const auto isHidden = [&](const std::array<double, 3>& point)
   {
@@ -93,7 +96,7 @@ void DrawOverlay(
       IsHidden(
         measured.scene, measured.image, NumbersOf(frame.sightLineAt(*pixel).nearest), point, mask);
   };
-  DrawMeasures(painter, measured, frame, { [](const auto&) { return true; }, isHidden });
+  DrawMeasures(painter, measured, frame, { [](const auto&) { return true; }, isHidden, taken });
 }
 
 }

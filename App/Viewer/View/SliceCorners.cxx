@@ -89,7 +89,7 @@ QString LengthText(double lengthMm)
                          : CornerWords::tr("%1 cm").arg(NumberText(0.1 * lengthMm, 0));
 }
 
-void DrawScaleBar(QPainter& painter, const QRectF& inside, double mmPerPixel)
+QRectF DrawScaleBar(QPainter& painter, const QRectF& inside, double mmPerPixel)
 {
   constexpr double LargestPart = 0.3; // part of the view's width
   const double lengthMm = ScaleBarMm(LargestPart * inside.width() * mmPerPixel);
@@ -103,41 +103,49 @@ void DrawScaleBar(QPainter& painter, const QRectF& inside, double mmPerPixel)
     painter.drawLine(start, start - tick);
     painter.drawLine(end, end - tick);
   }
-  DrawLegibly(painter, QRectF(inside.topLeft(), end - QPointF(0.0, 6.0)),
-    Qt::AlignRight | Qt::AlignBottom, LengthText(lengthMm));
+  return DrawLegibly(painter, QRectF(inside.topLeft(), end - QPointF(0.0, 6.0)),
+    Qt::AlignRight | Qt::AlignBottom, LengthText(lengthMm))
+    .united(QRectF(start - tick, end));
 }
 
-void DrawDirections(QPainter& painter, const QRectF& inside, const SliceRequest& request)
+std::vector<QRectF> DrawDirections(
+  QPainter& painter, const QRectF& inside, const SliceRequest& request)
 {
   const SliceAxes axes = AxesOf(request.plane, request.turn);
   const glm::dvec3 right = VectorOf(axes.right);
   const glm::dvec3 down = VectorOf(axes.down);
-  DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignVCenter, LettersOf(right));
-  DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, LettersOf(-right));
-  DrawLegibly(painter, inside, Qt::AlignBottom | Qt::AlignHCenter, LettersOf(down));
-  DrawLegibly(painter, inside, Qt::AlignTop | Qt::AlignHCenter, LettersOf(-down));
+  return {
+    DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignVCenter, LettersOf(right)),
+    DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignVCenter, LettersOf(-right)),
+    DrawLegibly(painter, inside, Qt::AlignBottom | Qt::AlignHCenter, LettersOf(down)),
+    DrawLegibly(painter, inside, Qt::AlignTop | Qt::AlignHCenter, LettersOf(-down)),
+  };
 }
 
 }
 
-void DrawSliceCorners(
+std::vector<QRectF> DrawSliceCorners(
   QPainter& painter, const QRectF& view, vtkImageData* image, const SliceCorners& corners)
 {
   const auto& [request, zoom, texts] = corners;
   const QRectF inside = view.adjusted(MarginX, MarginY, -MarginX, -MarginY);
+  std::vector<QRectF> taken;
   if (texts.count(CornerText::Directions))
   {
-    DrawDirections(painter, inside, request);
+    taken = DrawDirections(painter, inside, request);
   }
   if (texts.count(CornerText::Window))
   {
-    DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignTop, WindowText(request, zoom));
+    taken.push_back(
+      DrawLegibly(painter, inside, Qt::AlignLeft | Qt::AlignTop, WindowText(request, zoom)));
   }
-  DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignTop, PlaceText(image, request, texts));
+  taken.push_back(
+    DrawLegibly(painter, inside, Qt::AlignRight | Qt::AlignTop, PlaceText(image, request, texts)));
   if (texts.count(CornerText::Scale))
   {
-    DrawScaleBar(painter, inside, request.mmPerPixel);
+    taken.push_back(DrawScaleBar(painter, inside, request.mmPerPixel));
   }
+  return taken;
 }
 
 double ScaleBarMm(double mostMm)

@@ -6,6 +6,7 @@
 #include <QRectF>
 
 #include <set>
+#include <vector>
 
 class QPainter;
 class vtkImageData;
@@ -40,8 +41,8 @@ struct SliceCorners
   const CornerTexts& texts;    ///< that are shown
 };
 
-/// Draws texts over a slice.
-void DrawSliceCorners(
+/// Draws texts over a slice. Returns the places that they take.
+std::vector<QRectF> DrawSliceCorners(
   QPainter& painter, const QRectF& view, vtkImageData* image, const SliceCorners& corners);
 
 /// The length of a scale bar [mm]: 1, 2 or 5 times a power of ten, and the largest within a limit.

@@ -70,7 +70,7 @@ private:
   bool Shows(const std::vector<glm::dvec3>& points) const override;
   void AskForWords(const QPointF& place, const std::function<void(const QString&)>& take) override;
   void Update(ScenePart part);
-  void DrawMeasuresOfSlice(QPainter& painter) const;
+  void DrawMeasuresOfSlice(QPainter& painter, const std::vector<QRectF>& taken) const;
   SliceRequest Request() const;
   void DrawVoxels(QPainter& painter) const;
   void DrawOverlays(QPainter& painter, SliceRequest request) const;

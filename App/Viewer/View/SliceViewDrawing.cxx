@@ -35,9 +35,10 @@ void SliceView::paintEvent(QPaintEvent*)
   }
   this->DrawVoxels(painter);
   this->DrawCrosshair(painter);
-  DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
-    { this->Request(), this->zoom.factor, this->corners });
-  this->DrawMeasuresOfSlice(painter);
+  const std::vector<QRectF> taken =
+    DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
+      { this->Request(), this->zoom.factor, this->corners });
+  this->DrawMeasuresOfSlice(painter, taken);
   this->DrawBrush(painter);
   if (this->hasFocus())
   {
@@ -95,14 +96,14 @@ void SliceView::DrawOverlays(QPainter& painter, SliceRequest request) const
   }
 }
 
-void SliceView::DrawMeasuresOfSlice(QPainter& painter) const
+void SliceView::DrawMeasuresOfSlice(QPainter& painter, const std::vector<QRectF>& taken) const
 {
   painter.setRenderHint(QPainter::Antialiasing);
   DrawMeasures(painter,
     { this->model->CurrentScene(), this->texts, this->model->CurrentStudy()->volume.image },
     this->Frame(),
-    { [this](const auto& points) { return this->Shows(points); },
-      [](const auto&) { return false; } });
+    { [this](const auto& points) { return this->Shows(points); }, [](const auto&) { return false; },
+      taken });
   this->measure.Paint(painter);
 }
 

@@ -42,15 +42,15 @@ protected:
       const QColor background = QColor::fromRgbF(red, green, blue);
       this->view->still.Paint(painter, this->rect(), background);
       this->PaintPictureOfThread(painter, background);
-      DrawOverlay(painter,
-        { this->view->model->CurrentScene(), this->view->texts,
-          this->view->model->CurrentStudy()->volume.image },
-        this->view->Frame(), this->view->pipeline->Mask());
-      this->view->tools.Paint(painter);
-      DrawLegibly(painter, this->rect().adjusted(10, 10, -10, -10),
+      const QRectF report = DrawLegibly(painter, this->rect().adjusted(10, 10, -10, -10),
         this->view->reportSide | Qt::AlignTop,
         PictureReport(this->view->Numbers(), this->view->kind, this->view->model->CurrentScene(),
           this->view->pictureSeconds));
+      DrawOverlay(painter,
+        { this->view->model->CurrentScene(), this->view->texts,
+          this->view->model->CurrentStudy()->volume.image },
+        this->view->Frame(), this->view->pipeline->Mask(), { report });
+      this->view->tools.Paint(painter);
     }
   }
 
