@@ -14,6 +14,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include <vtkImageData.h>
+
 #include <gtest/gtest.h>
 
 using namespace varimarch;
@@ -140,16 +142,33 @@ TEST_F(Cutting, FlipsAndRemovesAPlane)
   EXPECT_EQ(this->panel.findChild<QListWidget*>()->count(), 0);
 }
 
+TEST_F(Cutting, NamesTheFacesOfTheBoxAfterTheSidesOfThePatient)
+{
+  const auto study = std::make_shared<Study>(*SmallStudy());
+  study->volume.image = vtkSmartPointer<vtkImageData>::New();
+  study->volume.image->DeepCopy(SmallStudy()->volume.image);
+  // Columns go to the back, rows to the head, slices to the right.
+  study->volume.image->SetDirectionMatrix(0, 0, -1, 1, 0, 0, 0, 1, 0);
+  this->model.Open(ProceduralSource(), study);
+  const char* const faces[] = { "Front", "Back", "Feet", "Head", "Left", "Right" };
+  for (int face = 0; face < 6; ++face)
+  {
+    this->Slider(faces[face])->setValue(500);
+    EXPECT_DOUBLE_EQ(this->model.CurrentScene().cuts.box[face], 0.5) << faces[face];
+    this->model.History()->undo();
+  }
+}
+
 TEST_F(Cutting, WithTheBoxKeepsItsFacesInOrder)
 {
-  this->Slider("x from")->setValue(700);
-  this->Slider("x to")->setValue(300);
+  this->Slider("Right")->setValue(700);
+  this->Slider("Left")->setValue(300);
   const std::array<double, 6>& box = this->model.CurrentScene().cuts.box;
   EXPECT_DOUBLE_EQ(box[0], 0.7);
   EXPECT_GT(box[1], box[0]);
   this->model.History()->undo();
   this->model.History()->undo();
-  EXPECT_EQ(this->Slider("x from")->value(), 0);
+  EXPECT_EQ(this->Slider("Right")->value(), 0);
 }
 
 TEST_F(Cutting, DistancesFromTheEyeStartWithTheWholeVolumeAndKeepTheirOrder)

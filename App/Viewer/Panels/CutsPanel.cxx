@@ -19,6 +19,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -170,12 +173,11 @@ QWidget* CutsPanel::MakeBox()
 {
   auto* const group = new QGroupBox(tr("Box"));
   auto* const layout = new QGridLayout(group);
-  const QString names[] = { tr("x from"), tr("x to"), tr("y from"), tr("y to"), tr("z from"),
-    tr("z to") };
   for (int face = 0; face < 6; ++face)
   {
-    QSlider* const slider = this->MakeSlider(names[face]);
-    layout->addWidget(new QLabel(names[face]), face, 0);
+    QSlider* const slider = this->MakeSlider(QString());
+    this->faceNames[face] = new QLabel;
+    layout->addWidget(this->faceNames[face], face, 0);
     layout->addWidget(slider, face, 1);
     connect(slider, &QSlider::valueChanged, this,
       [this, face](int position) { this->MoveFace(face, position); });
@@ -221,6 +223,10 @@ void CutsPanel::ShowScissors()
 
 void CutsPanel::Show(ScenePart part)
 {
+  if (part == ScenePart::Volume)
+  {
+    this->NameFaces();
+  }
   if (part == ScenePart::Volume || part == ScenePart::Cuts)
   {
     this->setEnabled(true);
@@ -255,6 +261,26 @@ void CutsPanel::ShowPlanes()
   {
     const double deep = DepthOf(cuts[selected], this->model->CurrentStudy()->volume.image);
     this->depth->setValue(int(std::lround(deep * SliderSteps)));
+  }
+}
+
+// A face is named after the side of the patient that is nearest to it.
+void CutsPanel::NameFaces()
+{
+  const QString sides[3][2] = { { tr("Right"), tr("Left") }, { tr("Front"), tr("Back") },
+    { tr("Feet"), tr("Head") } };
+  vtkMatrix3x3* const directions = this->model->CurrentStudy()->volume.image->GetDirectionMatrix();
+  for (int face = 0; face < 6; ++face)
+  {
+    const auto along = [&](int axis) { return directions->GetElement(axis, face / 2); };
+    int nearest = 0;
+    for (const int axis : { 1, 2 })
+    {
+      nearest = std::abs(along(axis)) > std::abs(along(nearest)) ? axis : nearest;
+    }
+    const bool isUpper = (face % 2 == 1) == (along(nearest) > 0.0);
+    this->faceNames[face]->setText(sides[nearest][isUpper ? 1 : 0]);
+    this->faces[face]->setAccessibleName(this->faceNames[face]->text());
   }
 }
 

@@ -36,6 +36,7 @@ private:
   QWidget* MakeScissors();
   void Show(ScenePart part);
   void ShowPlanes();
+  void NameFaces();
   void ShowBox();
   void ShowScissors();
   void AddPlane(const std::array<double, 3>& normal, const QString& stepName);
@@ -56,6 +57,7 @@ private:
   QPushButton* flip;
   QPushButton* remove;
   std::array<QSlider*, 6> faces;
+  std::array<QLabel*, 6> faceNames; ///< such as "Left", from the first volume on
   QLabel* scissors;
   QPushButton* bringBack;
   int gesture = SceneModel::NoGesture; ///< drag of a slider in progress
