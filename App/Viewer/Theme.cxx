@@ -4,9 +4,11 @@
 #include <QApplication>
 #include <QMenu>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QSettings>
 #include <QStyle>
 #include <QStyleFactory>
+#include <QStyleOptionButton>
 
 #include <algorithm>
 #include <map>
@@ -73,6 +75,52 @@ QPalette HighContrastPalette()
   return palette;
 }
 
+// Buttons that are on, such as the chosen tool, have a tint of the highlight. Fusion only darkens
+// them, which is hard to see in a dark window.
+class TintedStyle : public QProxyStyle
+{
+public:
+  TintedStyle()
+    : QProxyStyle(QStyleFactory::create("Fusion"))
+  {
+  }
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+    const QWidget* widget) const override
+  {
+    const bool isOn = element == PE_PanelButtonCommand && (option->state & State_On);
+    const auto* const button = qstyleoption_cast<const QStyleOptionButton*>(option);
+    if (isOn && button)
+    {
+      const QStyleOptionButton tinted = Tinted(*button);
+      QProxyStyle::drawPrimitive(element, &tinted, painter, widget);
+    }
+    else if (isOn)
+    {
+      const QStyleOption tinted = Tinted(*option); // a tool button has no option of its own
+      QProxyStyle::drawPrimitive(element, &tinted, painter, widget);
+    }
+    else
+    {
+      QProxyStyle::drawPrimitive(element, option, painter, widget);
+    }
+  }
+
+private:
+  template <class Option>
+  static Option Tinted(Option option)
+  {
+    constexpr double Part = 0.35;
+    const QColor button = option.palette.color(QPalette::Button);
+    const QColor highlight = option.palette.color(QPalette::Highlight);
+    const auto mixed = [](double plain, double full) { return plain + Part * (full - plain); };
+    option.palette.setColor(QPalette::Button,
+      QColor::fromRgbF(mixed(button.redF(), highlight.redF()),
+        mixed(button.greenF(), highlight.greenF()), mixed(button.blueF(), highlight.blueF())));
+    return option;
+  }
+};
+
 /// A theme by its name in the settings.
 const std::map<Theme, const char*>& ThemeNames()
 {
@@ -101,7 +149,7 @@ void ApplyTheme(Theme theme)
     QApplication::setPalette(QPalette());
     return;
   }
-  QStyle* const fusion = QStyleFactory::create("Fusion");
+  QStyle* const fusion = new TintedStyle; // owned by the application
   QApplication::setStyle(fusion);
   QApplication::setPalette(theme == Theme::Dark ? PaletteOf(DarkColors)
       : theme == Theme::HighContrast            ? HighContrastPalette()
