@@ -139,16 +139,17 @@ QWidget* VolumesPanel::MakePlace()
     tr("Move to the head") };
   const QString turnNames[] = { tr("Turn about the axis to the left"),
     tr("Turn about the axis to the back"), tr("Turn about the axis to the head") };
-  grid->addWidget(new QLabel(tr("Move")), 0, 0);
-  grid->addWidget(new QLabel(tr("Turn")), 1, 0);
+  constexpr int Columns = 6;
+  grid->addWidget(new QLabel(tr("Move to the left, to the back, to the head")), 0, 0, 1, Columns);
+  grid->addWidget(new QLabel(tr("Turn about these axes")), 2, 0, 1, Columns);
   for (int axis = 0; axis < 3; ++axis)
   {
     this->moves[axis] = NewNumber(moveNames[axis], FarthestMm, tr(" mm"));
     this->turns[axis] = NewNumber(turnNames[axis], 180.0, tr("°"));
     this->moves[axis]->setObjectName(QStringLiteral("move%1").arg(axis));
     this->turns[axis]->setObjectName(QStringLiteral("turn%1").arg(axis));
-    grid->addWidget(this->moves[axis], 0, axis + 1);
-    grid->addWidget(this->turns[axis], 1, axis + 1);
+    grid->addWidget(this->moves[axis], 1, 2 * axis, 1, 2);
+    grid->addWidget(this->turns[axis], 3, 2 * axis, 1, 2);
     this->ConnectPlace(this->moves[axis], &Placement::moveMm, axis);
     this->ConnectPlace(this->turns[axis], &Placement::turnDegrees, axis);
   }
@@ -165,8 +166,8 @@ QWidget* VolumesPanel::MakePlace()
   fit->setToolTip(tr("Finds the place where the volume fits the first one best, as a rigid body"));
   connect(
     fit, &QPushButton::clicked, this, [this] { emit this->RegistrationWanted(this->Selected()); });
-  grid->addWidget(reset, 2, 0, 1, 2);
-  grid->addWidget(fit, 2, 2, 1, 2);
+  grid->addWidget(reset, 4, 0, 1, 4);
+  grid->addWidget(fit, 4, 4, 1, 2);
   return this->place;
 }
 
@@ -200,7 +201,8 @@ void VolumesPanel::ShowRows()
   const Scene& scene = this->model->CurrentScene();
   const QSignalBlocker quiet(this->list);
   this->list->clear();
-  this->list->addItem(NameOfSource(scene.volume));
+  const QString modality = QString::fromStdString(this->model->CurrentStudy()->volume.modality);
+  this->list->addItem((modality + ' ' + NameOfSource(scene.volume)).trimmed());
   for (const OverlaidVolume& overlay : scene.overlays)
   {
     const QString name = QString::fromStdString(overlay.name);
