@@ -66,7 +66,7 @@ TEST_F(PanelOfAModel, ShowsTheModel)
 {
   const auto* const editor = this->Find<TransferFunctionEditor>("transferFunctionEditor");
   EXPECT_TRUE(SameCurves(editor->Picture().look, this->Shown()));
-  EXPECT_EQ(this->Find<QComboBox>("presets")->currentText(), "ct-bone");
+  EXPECT_EQ(this->Find<QComboBox>("presets")->currentText(), "CT bone");
   EXPECT_EQ(this->Digits("Ambient")->value(), this->Shown().shading.ambient);
   EXPECT_EQ(this->Digits("Power")->value(), this->Shown().shading.specularPower);
   EXPECT_TRUE(this->Find<QGroupBox>("shading")->isChecked());
@@ -83,7 +83,7 @@ TEST_F(PanelOfAModel, EveryControlEditsTheModelInAStepOfItsOwn)
   EXPECT_EQ(this->Shown().blend, Blend::MaximumIntensity);
   QTest::keyClick(this->Find<QGroupBox>("shading"), Qt::Key_Space);
   EXPECT_FALSE(this->Shown().shading.enabled);
-  this->Choose("presets", "ct-lung");
+  this->Choose("presets", "CT lungs");
   EXPECT_EQ(this->Shown().opacities.size(), BuiltInPreset("ct-lung").look.opacities.size());
   EXPECT_EQ(this->model.History()->count(), 5);
   while (this->model.History()->canUndo())
@@ -119,9 +119,9 @@ TEST_F(PanelOfAModel, ASliderThatIsDraggedIsOneStep)
 TEST_F(PanelOfAModel, AnEditedPresetIsLabelledAsEdited)
 {
   this->Digits("Ambient")->setValue(0.5);
-  EXPECT_EQ(this->Find<QComboBox>("presets")->currentText(), "ct-bone, edited");
+  EXPECT_EQ(this->Find<QComboBox>("presets")->currentText(), "CT bone, edited");
   this->model.History()->undo();
-  EXPECT_EQ(this->Find<QComboBox>("presets")->currentText(), "ct-bone");
+  EXPECT_EQ(this->Find<QComboBox>("presets")->currentText(), "CT bone");
 }
 
 TEST_F(PanelOfAModel, AnEditOfTheCurveReachesTheModel)
@@ -141,7 +141,7 @@ TEST_F(PanelOfAModel, SavedLooksLoadAsSaved)
   saved.name = "mine";
   const QString path = this->folder.filePath("mine.json");
   this->panel.Save(path);
-  this->Choose("presets", "ct-lung");
+  this->Choose("presets", "CT lungs");
   this->panel.Load(path);
   EXPECT_EQ(LookText(this->Shown()), LookText(saved));
   EXPECT_FALSE(this->Find<QLabel>("problem")->isVisible());
@@ -154,7 +154,7 @@ TEST_F(PanelOfAModel, SlicerPropertiesAreSavedAndLoadedByTheirExtension)
   const Look saved = this->Shown();
   const QString path = this->folder.filePath("bone.vp");
   this->panel.Save(path);
-  this->Choose("presets", "ct-lung");
+  this->Choose("presets", "CT lungs");
   this->panel.Load(path);
   EXPECT_EQ(this->Shown().name, "bone");
   EXPECT_TRUE(SameCurves(this->Shown(), saved));

@@ -37,8 +37,10 @@ QString RangeText(const RegionStatistics& statistics, const QString& unit)
 
 QString UnitText(const LoadedVolume& volume)
 {
-  const QString unit = QString::fromStdString(UnitOf(volume));
-  return unit.isEmpty() ? unit : ' ' + unit;
+  const std::string unit = UnitOf(volume);
+  return unit == "HU" ? MeasureTexts::tr(" HU")
+    : unit.empty()    ? QString()
+                      : ' ' + QString::fromStdString(unit);
 }
 
 QString AreaText(double areaMm2)

@@ -4,6 +4,7 @@
 #include "Scene/LookFiles.h"
 #include "Scene/Presets.h"
 #include "Viewer/Model/GradientCounting.h"
+#include "Viewer/Model/PresetTitles.h"
 #include "Viewer/Panels/BlendingForm.h"
 #include "Viewer/Panels/GradientOpacityBox.h"
 #include "Viewer/Panels/RegionsBox.h"
@@ -101,17 +102,17 @@ void LookPanel::MakePresets(QVBoxLayout* column)
   this->presets->setAccessibleName(tr("Preset"));
   for (const std::string& name : PresetNames())
   {
-    this->presets->addItem(QString::fromStdString(name));
+    this->presets->addItem(PresetTitle(name), QString::fromStdString(name));
     this->presets->setItemData(this->presets->count() - 1,
       QString::fromStdString(BuiltInPreset(name).look.description), Qt::ToolTipRole);
   }
   connect(this->presets, QOverload<int>::of(&QComboBox::activated), this,
     [this](int index)
     {
-      const QString name = this->presets->itemText(index);
-      if (IsPresetName(name.toStdString()))
+      const std::string name = this->presets->itemData(index).toString().toStdString();
+      if (IsPresetName(name))
       {
-        this->model->SetPreset(BuiltInPreset(name.toStdString()), tr("choose %1").arg(name));
+        this->model->SetPreset(BuiltInPreset(name), tr("choose %1").arg(PresetTitle(name)));
       }
     });
   auto* const load = new QPushButton(tr("Load…"));
@@ -219,16 +220,16 @@ void LookPanel::ShowPreset()
   const bool isPreset = IsBuiltInLook(look, this->model->EditedStudy()->statistics);
   const int presetCount = int(PresetNames().size());
   this->presets->removeItem(presetCount);
-  const QString name = QString::fromStdString(look.name);
   if (isPreset)
   {
-    this->presets->setCurrentText(name);
+    this->presets->setCurrentIndex(this->presets->findData(QString::fromStdString(look.name)));
   }
   else
   {
-    this->presets->addItem(IsPresetName(look.name) ? tr("%1, edited").arg(name)
-        : name.isEmpty()                           ? tr("custom look")
-                                                   : name);
+    const QString title = PresetTitle(look.name);
+    this->presets->addItem(IsPresetName(look.name) ? tr("%1, edited").arg(title)
+        : title.isEmpty()                          ? tr("custom look")
+                                                   : title);
     this->presets->setCurrentIndex(presetCount);
   }
 }

@@ -294,6 +294,10 @@
         <source>Text</source>
         <translation>Text</translation>
     </message>
+    <message>
+        <source> HU</source>
+        <translation> HE</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -1485,30 +1489,6 @@ Masken nicht unterstützt</translation>
         <translation>Quader</translation>
     </message>
     <message>
-        <source>x from</source>
-        <translation>x von</translation>
-    </message>
-    <message>
-        <source>x to</source>
-        <translation>x bis</translation>
-    </message>
-    <message>
-        <source>y from</source>
-        <translation>y von</translation>
-    </message>
-    <message>
-        <source>y to</source>
-        <translation>y bis</translation>
-    </message>
-    <message>
-        <source>z from</source>
-        <translation>z von</translation>
-    </message>
-    <message>
-        <source>z to</source>
-        <translation>z bis</translation>
-    </message>
-    <message>
         <source>Whole volume</source>
         <translation>Das ganze Volumen</translation>
     </message>
@@ -1587,6 +1567,30 @@ Masken nicht unterstützt</translation>
     <message>
         <source>show the face</source>
         <translation>Gesicht zeigen</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fußwärts</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopfwärts</translation>
     </message>
 </context>
 <context>
@@ -2614,6 +2618,10 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Click, then type</source>
         <translation>Klicken, dann tippen</translation>
+    </message>
+    <message>
+        <source>Titles of panels</source>
+        <translation>Titel der Bedienfelder</translation>
     </message>
 </context>
 <context>
@@ -4186,14 +4194,6 @@ ml</translation>
         <translation>Um die Achse zum Kopf drehen</translation>
     </message>
     <message>
-        <source>Move</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Drehen</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -4240,6 +4240,14 @@ ml</translation>
     <message>
         <source>remove a volume</source>
         <translation>Volumen entfernen</translation>
+    </message>
+    <message>
+        <source>Move to the left, to the back, to the head</source>
+        <translation>Nach links, nach hinten, kopfwärts verschieben</translation>
+    </message>
+    <message>
+        <source>Turn about these axes</source>
+        <translation>Um diese Achsen drehen</translation>
     </message>
 </context>
 <context>

@@ -294,6 +294,10 @@
         <source>Text</source>
         <translation>Texto</translation>
     </message>
+    <message>
+        <source> HU</source>
+        <translation> UH</translation>
+    </message>
 </context>
 <context>
     <name>MeasureTool</name>
@@ -1485,30 +1489,6 @@ no admite máscaras</translation>
         <translation>Caja</translation>
     </message>
     <message>
-        <source>x from</source>
-        <translation>x desde</translation>
-    </message>
-    <message>
-        <source>x to</source>
-        <translation>x hasta</translation>
-    </message>
-    <message>
-        <source>y from</source>
-        <translation>y desde</translation>
-    </message>
-    <message>
-        <source>y to</source>
-        <translation>y hasta</translation>
-    </message>
-    <message>
-        <source>z from</source>
-        <translation>z desde</translation>
-    </message>
-    <message>
-        <source>z to</source>
-        <translation>z hasta</translation>
-    </message>
-    <message>
         <source>Whole volume</source>
         <translation>Todo el volumen</translation>
     </message>
@@ -1587,6 +1567,30 @@ no admite máscaras</translation>
     <message>
         <source>show the face</source>
         <translation>mostrar la cara</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Derecha</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Izquierda</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Delante</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Detrás</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Pies</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Cabeza</translation>
     </message>
 </context>
 <context>
@@ -2614,6 +2618,10 @@ no admite máscaras</translation>
     <message>
         <source>Click, then type</source>
         <translation>Haga clic y escriba</translation>
+    </message>
+    <message>
+        <source>Titles of panels</source>
+        <translation>Títulos de los paneles</translation>
     </message>
 </context>
 <context>
@@ -4186,14 +4194,6 @@ ml</translation>
         <translation>Girar alrededor del eje hacia la cabeza</translation>
     </message>
     <message>
-        <source>Move</source>
-        <translation>Mover</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Girar</translation>
-    </message>
-    <message>
         <source> mm</source>
         <translation> mm</translation>
     </message>
@@ -4240,6 +4240,14 @@ ml</translation>
     <message>
         <source>remove a volume</source>
         <translation>quitar un volumen</translation>
+    </message>
+    <message>
+        <source>Move to the left, to the back, to the head</source>
+        <translation>Mover a la izquierda, hacia atrás, hacia la cabeza</translation>
+    </message>
+    <message>
+        <source>Turn about these axes</source>
+        <translation>Girar sobre estos ejes</translation>
     </message>
 </context>
 <context>
