@@ -6,6 +6,7 @@
 #include "Viewer/Model/TimeSeries.h"
 #include "Viewer/Open/StartPage.h"
 #include "Viewer/Open/WarningBar.h"
+#include "Viewer/PanelTabs.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/FusionBar.h"
 #include "Viewer/Panels/LightsPanel.h"
@@ -285,6 +286,7 @@ void MainWindow::MakePanels()
   this->MakeCurvedView();
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   this->ArrangePanels();
+  this->MakePanelTabs();
   this->MakePanelMenu();
   NamePartsOfControls(this);
 }
@@ -348,7 +350,7 @@ void MainWindow::MakePanelMenu()
     menu->addAction(panel->toggleViewAction());
   }
   menu->addAction(this->curvedDock->toggleViewAction());
-  auto* const toolBar = this->findChild<QToolBar*>();
+  auto* const toolBar = this->findChild<QToolBar*>("leftButton");
   menu->addAction(toolBar->toggleViewAction());
   menu->addSeparator();
   menu
@@ -384,13 +386,11 @@ void MainWindow::MakeStatusBar()
 void MainWindow::childEvent(QChildEvent* event)
 {
   QMainWindow::childEvent(event);
-  // Qt creates the tab bar when docks are stacked, and would truncate its titles if there is little
-  // room.
+  // Qt creates a tab bar when docks are stacked. Our panels have tabs in the tool bar.
   auto* const tabs = event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
   if (tabs)
   {
-    tabs->setElideMode(Qt::ElideNone);
-    tabs->setUsesScrollButtons(true);
+    HideTabsOfQt(tabs);
   }
 }
 

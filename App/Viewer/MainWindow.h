@@ -80,6 +80,7 @@ protected:
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void childEvent(QChildEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   /// Remembers the view that was clicked last, or had the keys.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -110,6 +111,8 @@ private:
   void MakeHelpMenu();
   void MakeLanguageMenu(QMenu* menu);
   void MakePanels();
+  void MakePanelTabs();
+  void ArrangeToolBars();
   void MakeCurvedView();
   QWidget* WithKeyImages(QWidget* measures);
   void MarkKeyImage();

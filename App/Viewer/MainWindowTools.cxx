@@ -2,6 +2,7 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/PanelTabs.h"
 #include "Viewer/Panels/KeyImagesBox.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
@@ -118,6 +119,43 @@ QAction* MainWindow::MakeToolAction(const MenuTool& tool, QMenu* menu, QActionGr
       }
     });
   return action;
+}
+
+// The stacked panels are all but the last one.
+void MainWindow::MakePanelTabs()
+{
+  QToolBar* const bar = this->addToolBar(tr("Titles of panels"));
+  bar->setObjectName("panelBar");
+  bar->setMovable(false);
+  auto* const room = new QWidget;
+  room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(room);
+  auto* const tabs = new PanelTabs({ this->panels.begin(), this->panels.end() - 1 });
+  tabs->setAccessibleName(bar->windowTitle());
+  bar->addWidget(tabs);
+}
+
+// Puts the titles of panels below the tools if they do not fit beside them.
+void MainWindow::ArrangeToolBars()
+{
+  auto* const tools = this->findChild<QToolBar*>("leftButton");
+  auto* const titles = this->findChild<QToolBar*>("panelBar");
+  const bool isBeside =
+    tools->sizeHint().width() + titles->sizeHint().width() <= this->width() || tools->isHidden();
+  if (isBeside && this->toolBarBreak(titles))
+  {
+    this->removeToolBarBreak(titles);
+  }
+  else if (!isBeside && !this->toolBarBreak(titles))
+  {
+    this->insertToolBarBreak(titles);
+  }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+  QMainWindow::resizeEvent(event);
+  this->ArrangeToolBars();
 }
 
 void MainWindow::MarkKeyImage()

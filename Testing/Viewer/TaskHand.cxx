@@ -85,19 +85,18 @@ void TaskHand::ChooseFromMenu(QAction* entry)
 void TaskHand::RaisePanel(QWidget* window, const QString& name)
 {
   auto* const dock = window->findChild<QDockWidget*>(name);
-  for (QTabBar* const tabs : window->findChildren<QTabBar*>())
+  auto* const tabs = window->findChild<QTabBar*>("panelTabs");
+  for (int i = 0; i < tabs->count(); ++i)
   {
-    for (int i = 0; i < tabs->count(); ++i)
+    const QPoint place = tabs->tabRect(i).center();
+    if (tabs->tabText(i) == dock->windowTitle() && tabs->visibleRegion().contains(place))
     {
-      if (tabs->tabText(i) == dock->windowTitle())
-      {
-        this->Click(tabs, tabs->tabRect(i).center());
-        QTest::qWait(50);
-        return;
-      }
+      this->Click(tabs, place);
+      QTest::qWait(50);
+      return;
     }
   }
-  throw std::runtime_error("a panel has no tab");
+  throw std::runtime_error("the title of a panel is not in sight");
 }
 
 void TaskHand::PressKey(QWidget* window, Qt::Key key)

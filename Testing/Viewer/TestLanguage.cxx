@@ -1,6 +1,7 @@
 // The window is translated into every language that the program offers.
 
 #include "LabelledStudy.h"
+#include "OverlaidStudy.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
@@ -10,18 +11,22 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDialogButtonBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMap>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTabBar>
 #include <QTest>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <clocale>
 
 using namespace varimarch;
@@ -83,8 +88,15 @@ TEST_F(Speaking, TranslatesTheMenus)
   EXPECT_EQ(this->FirstMenuIn("en"), "&File");
 }
 
-// Narrow panels scroll their titles.
-TEST_F(Speaking, ShowsTheTitlesOfPanelsInFull)
+TEST_F(Speaking, TranslatesStandardButtons)
+{
+  Speak("de", QCoreApplication::instance());
+  const QDialogButtonBox buttons(QDialogButtonBox::Cancel);
+  EXPECT_EQ(buttons.button(QDialogButtonBox::Cancel)->text(), "Abbrechen")
+    << "the package qttranslations5-l10n is missing";
+}
+
+TEST_F(Speaking, ShowsTheTitlesOfAllPanels)
 {
   for (const Language& language : Languages())
   {
@@ -92,16 +104,23 @@ TEST_F(Speaking, ShowsTheTitlesOfPanelsInFull)
     MainWindow window;
     window.resize(1280, 720);
     window.show();
-    window.resizeDocks({ window.findChild<QDockWidget*>("look") }, { 100 }, Qt::Horizontal);
     QTest::qWait(100);
-    const auto* const tabs = window.findChild<QTabBar*>();
+    auto* const tabs = window.findChild<QTabBar*>("panelTabs");
     ASSERT_TRUE(tabs);
     ASSERT_EQ(tabs->count(), 7);
     for (int i = 0; i < tabs->count(); ++i)
     {
+      const std::string title = (language.code + ": " + tabs->tabText(i)).toStdString();
       const int words = tabs->fontMetrics().horizontalAdvance(tabs->tabText(i));
-      EXPECT_GT(tabs->tabRect(i).width(), words) << tabs->tabText(i).toStdString();
-      EXPECT_EQ(tabs->tabToolTip(i), tabs->tabText(i));
+      EXPECT_GT(tabs->tabRect(i).width(), words) << title;
+      EXPECT_TRUE((QRegion(tabs->tabRect(i)) - tabs->visibleRegion()).isEmpty()) << title;
+      QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(i).center());
+      EXPECT_EQ(tabs->currentIndex(), i);
+      const auto panels = window.findChildren<QDockWidget*>();
+      const bool isShown = std::any_of(panels.begin(), panels.end(),
+        [&](const QDockWidget* panel)
+        { return panel->windowTitle() == tabs->tabText(i) && !panel->visibleRegion().isEmpty(); });
+      EXPECT_TRUE(isShown) << title;
     }
   }
 }
@@ -144,12 +163,16 @@ TEST_F(Speaking, FitsASmallScreen)
     window.show();
     window.Model()->Open(ProceduralSource(), SmallStudy());
     window.Model()->ShowLabels({ "labels.nrrd" }, LabelledStudy(), "labels");
-    for (const char* const name : { "look", "lights", "cuts", "measures", "segments" })
+    AddPet(*window.Model());
+    for (const char* const name : { "look", "lights", "cuts", "measures", "volumes", "segments" })
     {
       window.findChild<QDockWidget*>(name)->raise();
       QTest::qWait(100);
       EXPECT_EQ(window.size(), QSize(1280, 720)) << "the window had to grow for " << name;
       ExpectLegible(window, language.code.toStdString());
+      const auto* const scroll = window.findChild<QDockWidget*>(name)->findChild<QScrollArea*>();
+      EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0)
+        << language.code.toStdString() << ": " << name << " is too wide";
     }
   }
 }
