@@ -88,6 +88,7 @@ MainWindow::MainWindow(QWidget* parent)
   const QSettings settings;
   this->restoreGeometry(settings.value("window/geometry").toByteArray());
   this->restoreState(settings.value("window/panels").toByteArray());
+  this->curvedDock->hide(); // there is no curve yet
   this->Listen();
 }
 
@@ -291,7 +292,7 @@ void MainWindow::MakePanels()
   NamePartsOfControls(this);
 }
 
-// The view along a curve lies below the others. It opens with the first curve.
+// The view along a curve lies below the others while there is a curve.
 void MainWindow::MakeCurvedView()
 {
   auto* const curved = new CurvedView(&this->model);
@@ -301,7 +302,7 @@ void MainWindow::MakeCurvedView()
   this->curvedDock->setObjectName("curve");
   this->curvedDock->setWidget(curved);
   this->addDockWidget(Qt::BottomDockWidgetArea, this->curvedDock);
-  this->curvedDock->hide();
+  this->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea); // panels keep their height
   connect(&this->model, &SceneModel::Changed, this,
     [this, curved, hadCurve = false](ScenePart part) mutable
     {
@@ -310,9 +311,9 @@ void MainWindow::MakeCurvedView()
         return;
       }
       const bool hasCurve = curved->Path();
-      if (hasCurve && !hadCurve)
+      if (hasCurve != hadCurve)
       {
-        this->curvedDock->show();
+        this->curvedDock->setVisible(hasCurve);
       }
       hadCurve = hasCurve;
     });

@@ -133,8 +133,11 @@ void CurvedView::DrawRuler(QPainter& painter) const
     const double x = tick * stepMm / mmPerPixel;
     painter.setPen(QPen(Qt::white, 1.0));
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom - 6.0));
-    DrawLegibly(painter, QRectF(x + 3.0, bottom - 18.0, 80.0, 16.0), Qt::AlignLeft | Qt::AlignTop,
-      NumberText(tick * stepMm, stepMm < 1.0 ? 2 : 0));
+    const QString number = NumberText(tick * stepMm, stepMm < 1.0 ? 2 : 0);
+    const double width = painter.fontMetrics().horizontalAdvance(number);
+    const double left = x + 3.0 + width < this->width() ? x + 3.0 : x - 3.0 - width;
+    DrawLegibly(painter, QRectF(left, bottom - 18.0, width + 1.0, 16.0),
+      Qt::AlignLeft | Qt::AlignTop, number);
   }
   const SliceSettings& slices = this->model->CurrentScene().slices;
   QString text =
