@@ -21,6 +21,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QVTKOpenGLNativeWidget.h>
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

@@ -67,7 +67,7 @@ TEST_F(Window, DrawsAFinePictureOfVtkInBands)
   const vtkSmartPointer<vtkImageData> shown = theirs->FloatPicture();
   ASSERT_TRUE(shown);
 
-  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(theirs->renderWindow());
+  auto* const window = vtkOpenGLRenderWindow::SafeDownCast(theirs->RenderWindow());
   vtkRenderer* const renderer = theirs->Pipeline()->Renderer();
   StillPicture still;
   still.Begin(window, renderer);

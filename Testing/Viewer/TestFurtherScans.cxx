@@ -34,7 +34,7 @@ protected:
   {
     QSignalSpy drawn(this->View(), &VolumeView::Drawn);
     EXPECT_TRUE(QTest::qWaitFor([&] { return !drawn.isEmpty(); }, MostMilliseconds));
-    const QImage picture = this->View()->grabFramebuffer();
+    const QImage picture = this->Surface()->grabFramebuffer();
     int count = 0;
     for (int y = 0; y < picture.height(); ++y)
     {

@@ -41,7 +41,7 @@ protected:
     bool isFine = false;
     const QObject drawing;
     QObject::connect(this->View(), &VolumeView::Drawn, &drawing,
-      [&] { isFine = this->View()->renderWindow()->GetDesiredUpdateRate() < 0.1; });
+      [&] { isFine = this->View()->RenderWindow()->GetDesiredUpdateRate() < 0.1; });
     ASSERT_TRUE(QTest::qWaitFor([&] { return isFine; }, MostMilliseconds));
   }
 
@@ -71,21 +71,21 @@ TEST_F(WindowAfterReset, DrawsAnewAndLosesNothing)
   {
     GTEST_SKIP() << "the driver cannot tell";
   }
-  const QImage before = this->View()->grabFramebuffer();
+  const QImage before = this->Surface()->grabFramebuffer();
   const QString scene = this->Text();
   const QByteArray layout = this->window.saveState();
   const QSize size = this->window.size();
-  const QPointer<QOpenGLContext> context = this->View()->context();
+  const QPointer<QOpenGLContext> context = this->Surface()->context();
   const QPointer<QWindow> native = this->window.windowHandle();
 
   const ResettingDriver driver(1);
-  this->View()->renderWindow()->Render();
+  this->View()->RenderWindow()->Render();
   this->AwaitFineImage();
   EXPECT_EQ(this->Sentences(),
     QStringList{ "The graphics card was reset, and the image is drawn anew; nothing is lost." });
   EXPECT_TRUE(context.isNull()) << "the context was lost";
   EXPECT_TRUE(native.isNull()) << "and the one of the window, with which it is shared";
-  EXPECT_EQ(this->View()->grabFramebuffer(), before);
+  EXPECT_EQ(this->Surface()->grabFramebuffer(), before);
   EXPECT_EQ(this->Text(), scene);
   EXPECT_EQ(this->window.saveState(), layout);
   EXPECT_EQ(this->window.size(), size);
@@ -93,7 +93,7 @@ TEST_F(WindowAfterReset, DrawsAnewAndLosesNothing)
 
   this->Model()->History()->undo();
   this->AwaitFineImage();
-  EXPECT_NE(this->View()->grabFramebuffer(), before);
+  EXPECT_NE(this->Surface()->grabFramebuffer(), before);
 }
 
 TEST_F(WindowAfterReset, KeepsTheWorkIfTheCardIsResetAgainAndAgain)
@@ -112,7 +112,7 @@ TEST_F(WindowAfterReset, KeepsTheWorkIfTheCardIsResetAgainAndAgain)
     { static_cast<std::optional<ResettingDriver>*>(driver)->emplace(1); });
   vtkObject* const mapper = this->View()->Pipeline()->Mapper();
   mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, reset);
-  this->View()->renderWindow()->Render();
+  this->View()->RenderWindow()->Render();
   QStringList sentences;
   const auto hasGivenUp = [&]
   {

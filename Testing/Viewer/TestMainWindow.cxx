@@ -91,7 +91,7 @@ TEST_F(Window, DrawsAnEditQuicklyThenFinely)
   QTest::qWait(500);
   std::vector<double> rates;
   QObject::connect(this->View(), &VolumeView::Drawn, this->View(),
-    [&] { rates.push_back(this->View()->renderWindow()->GetDesiredUpdateRate()); });
+    [&] { rates.push_back(this->View()->RenderWindow()->GetDesiredUpdateRate()); });
   this->Model()->Edit(ScenePart::Background, "gray",
     [](Scene& scene) {
       scene.background = { 0.5, 0.5, 0.5 };
@@ -247,7 +247,7 @@ TEST_F(LargeScreen, ShowsAVolumeCoarselyAtOnceAndThenInFull)
   EXPECT_EQ(distances.back(), 1.0);
   ASSERT_FALSE(refined.isEmpty());
   EXPECT_LE(refined.first().first().toDouble(), 1.0) << "the image is rendered in parts";
-  EXPECT_EQ(this->View()->renderWindow()->GetSize()[0], 2 * this->View()->width());
+  EXPECT_EQ(this->View()->RenderWindow()->GetSize()[0], 2 * this->View()->width());
 }
 
 TEST_F(Window, ClosesWhileItLoads)
@@ -311,7 +311,7 @@ TEST_F(Window, DrawsOnWhileABenchmarkRuns)
     [&]
     {
       this->View()->update();
-      this->View()->renderWindow()->Render();
+      this->View()->RenderWindow()->Render();
       return !ended.isEmpty();
     },
     MostMilliseconds));

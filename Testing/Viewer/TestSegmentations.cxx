@@ -110,7 +110,7 @@ protected:
   /// Number of pixels of the 3D view that are mainly green.
   int GreenPixels()
   {
-    const QImage image = this->View()->grabFramebuffer();
+    const QImage image = this->Surface()->grabFramebuffer();
     int count = 0;
     for (int i = 0; i < image.width() * image.height(); ++i)
     {

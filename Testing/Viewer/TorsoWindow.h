@@ -3,6 +3,7 @@
 
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/VolumeSurface.h"
 #include "Viewer/View/VolumeView.h"
 #include "Waiting.h"
 
@@ -35,6 +36,7 @@ protected:
   QString Path(const QString& name) const { return this->folder.filePath(name); }
 
   VolumeView* View() { return this->window.CentralView()->Ours(); }
+  VolumeSurface* Surface() { return this->View()->findChild<VolumeSurface*>(); }
   SceneModel* Model() { return this->window.Model(); }
 
   /// Opens the torso and waits for its first frame.

@@ -1,9 +1,11 @@
 #include "Viewer/View/PictureThread.h"
 
 #include "Scene/OffscreenView.h"
+#include "Viewer/View/MovingImageSize.h"
 #include "Viewer/View/ShownParts.h"
 #include "Viewer/View/VtkPictures.h"
 
+#include <QElapsedTimer>
 #include <QMetaObject>
 
 #include <vtkCallbackCommand.h>
@@ -95,10 +97,11 @@ public:
   ThreadPicture Draw(const Order& order);
 
 private:
-  void Show(const Order& order);
+  void Show(const Order& order, const QSize& size);
 
   std::unique_ptr<OffscreenView> view;
   QSize pixels;
+  MovingImageSize moving;
 };
 
 vtkVariationFieldVolumeMapper* MapperOf(OffscreenView& view)
@@ -106,11 +109,10 @@ vtkVariationFieldVolumeMapper* MapperOf(OffscreenView& view)
   return vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
 }
 
-void ThreadView::Show(const Order& order)
+void ThreadView::Show(const Order& order, const QSize& size)
 {
   Scene scene = order.scene;
-  const QSize& wanted = order.wanted->pixels;
-  scene.size = { wanted.width(), wanted.height() };
+  scene.size = { size.width(), size.height() };
   if (!this->view || order.changed.count(ScenePart::Volume) > 0)
   {
     this->view.reset(); // before the next one, for the memory
@@ -130,22 +132,36 @@ void ThreadView::Show(const Order& order)
     }
     this->view->Resize(scene.size[0], scene.size[1]);
   }
-  if (order.changed.count(ScenePart::Camera) > 0 || this->pixels != wanted)
+  if (order.changed.count(ScenePart::Camera) > 0 || this->pixels != size)
   {
     this->view->Pipeline().SetCamera(scene.camera, double(scene.size[0]) / scene.size[1]);
   }
-  this->pixels = wanted;
+  this->pixels = size;
 }
 
 ThreadPicture ThreadView::Draw(const Order& order)
 {
-  this->Show(order);
-  this->view->SetPicturesPerSecond(order.wanted->picturesPerSecond);
+  const WantedPicture& wanted = *order.wanted;
+  const double allocatedSeconds = 1.0 / wanted.picturesPerSecond;
+  const bool isMoving = wanted.picturesPerSecond > 1.0;
+  const QSize size = isMoving ? this->moving.Of(wanted.pixels) : wanted.pixels;
+  const bool isFamiliar = size == this->pixels; // without the time for a new framebuffer
+  QElapsedTimer timer;
+  timer.start();
+  this->Show(order, size);
+  this->view->SetPicturesPerSecond(
+    isMoving ? 1.0 / this->moving.SecondsForRays(allocatedSeconds) : wanted.picturesPerSecond);
   ThreadPicture picture;
   picture.seconds = this->view->Render();
   picture.image = ImageOfBytes(this->view->Bytes()).convertToFormat(QImage::Format_RGB32);
   picture.numbers = NumbersOf(MapperOf(*this->view));
-  picture.wanted = *order.wanted;
+  picture.wanted = wanted;
+  if (isMoving && isFamiliar)
+  {
+    const double seconds = 1e-9 * double(timer.nsecsElapsed());
+    this->moving.Took(
+      wanted.pixels, seconds - MapperOf(*this->view)->GetTimeToDraw(), allocatedSeconds);
+  }
   return picture;
 }
 

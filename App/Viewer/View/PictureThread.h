@@ -31,7 +31,7 @@ struct WantedPicture
 /// A picture that the thread has drawn.
 struct ThreadPicture
 {
-  QImage image; ///< over the background of the scene
+  QImage image; ///< over the background of the scene; smaller than wanted while the view moves
   PictureNumbers numbers;
   double seconds = 0.0; ///< the time to draw it, or this part of it
   WantedPicture wanted;

@@ -2,6 +2,7 @@
 
 #include "March/Device/GraphicsReset.h"
 #include "Viewer/View/ShownParts.h"
+#include "Viewer/View/VolumeSurface.h"
 
 #include <QMouseEvent>
 #include <QPainter>
@@ -29,6 +30,7 @@ public:
     : QWidget(view)
     , view(view)
   {
+    this->setObjectName("overlay");
     this->setAttribute(Qt::WA_TransparentForMouseEvents);
   }
 
@@ -75,27 +77,22 @@ private:
 };
 
 VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
-  : QVTKOpenGLNativeWidget(parent)
+  : QWidget(parent)
   , model(model)
   , kind(kind)
+  , surface(new VolumeSurface(this))
   , overlay(new OverlayWidget(this))
   , tools(model, *this, [this] { return this->CurrentCamera(); })
 {
-  this->setRenderWindow(this->window);
   this->setMouseTracking(true);
+  this->setFocusPolicy(Qt::StrongFocus);
+  for (const Qt::GestureType gesture :
+    { Qt::PinchGesture, Qt::PanGesture, Qt::TapGesture, Qt::TapAndHoldGesture, Qt::SwipeGesture })
+  {
+    this->grabGesture(gesture);
+  }
   this->setAccessibleName(tr("Volume"));
-  this->window->SetMultiSamples(0);
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  vtkRenderWindowInteractor* const interactor = this->interactor();
-  interactor->SetInteractorStyle(style);
-  interactor->SetDesiredUpdateRate(PicturesPerSecondWhileMoving);
-  // The timer requests the fine frame, so that scrolling the wheel stays smooth.
-  interactor->SetStillUpdateRate(PicturesPerSecondWhileMoving);
-  this->events->Connect(style, vtkCommand::StartInteractionEvent, this, SLOT(BeginTurning()));
-  this->events->Connect(style, vtkCommand::InteractionEvent, this, SLOT(KeepCamera()));
-  this->events->Connect(style, vtkCommand::EndInteractionEvent, this, SLOT(EndTurning()));
-  this->events->Connect(this->window, vtkCommand::StartEvent, this, SLOT(BeginPicture()));
-  this->events->Connect(this->window, vtkCommand::EndEvent, this, SLOT(EndPicture()));
+  this->ConnectWindow();
   connect(&this->pacer, &FramePacer::QuickFrameDue, this,
     [this] { this->Draw(PicturesPerSecondWhileMoving); });
   connect(&this->pacer, &FramePacer::FineFrameDue, this, &VolumeView::DrawFinely);
@@ -111,6 +108,29 @@ VolumeView::~VolumeView()
 {
   // The window outlives some members, so disconnect its events first.
   this->events->Disconnect();
+}
+
+void VolumeView::ConnectWindow()
+{
+  this->surface->setRenderWindow(this->window);
+  connect(this->surface, &VolumeSurface::ContextIsNew, this, &VolumeView::TakeContext);
+  this->window->SetMultiSamples(0);
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  vtkRenderWindowInteractor* const interactor = this->window->GetInteractor();
+  interactor->SetInteractorStyle(style);
+  interactor->SetDesiredUpdateRate(PicturesPerSecondWhileMoving);
+  // The timer requests the fine frame, so that scrolling the wheel stays smooth.
+  interactor->SetStillUpdateRate(PicturesPerSecondWhileMoving);
+  this->events->Connect(style, vtkCommand::StartInteractionEvent, this, SLOT(BeginTurning()));
+  this->events->Connect(style, vtkCommand::InteractionEvent, this, SLOT(KeepCamera()));
+  this->events->Connect(style, vtkCommand::EndInteractionEvent, this, SLOT(EndTurning()));
+  this->events->Connect(this->window, vtkCommand::StartEvent, this, SLOT(BeginPicture()));
+  this->events->Connect(this->window, vtkCommand::EndEvent, this, SLOT(EndPicture()));
+}
+
+vtkRenderWindow* VolumeView::RenderWindow()
+{
+  return this->window;
 }
 
 bool VolumeView::event(QEvent* event)
@@ -147,13 +167,19 @@ bool VolumeView::event(QEvent* event)
       this->Point(mouse->localPos());
     }
   }
-  return QVTKOpenGLNativeWidget::event(event);
+  this->input.ProcessEvent(event, this->window->GetInteractor());
+  return QWidget::event(event);
 }
 
 void VolumeView::resizeEvent(QResizeEvent* event)
 {
-  QVTKOpenGLNativeWidget::resizeEvent(event);
+  QWidget::resizeEvent(event);
+  this->surface->resize(this->size());
   this->overlay->resize(this->size());
+  // The surface tells VTK its size only while it is visible.
+  const QSize pixels = this->size() * this->devicePixelRatioF();
+  this->input.SetDevicePixelRatio(float(this->devicePixelRatioF()));
+  this->window->GetInteractor()->UpdateSize(pixels.width(), pixels.height());
   if (this->pipeline && !this->model->CurrentScene().camera.pose)
   {
     this->TakeCamera();

@@ -13,7 +13,8 @@
 
 #include <QElapsedTimer>
 #include <QEvent>
-#include <QVTKOpenGLNativeWidget.h>
+#include <QVTKInteractorAdapter.h>
+#include <QWidget>
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -25,16 +26,19 @@
 class vtkEventQtSlotConnect;
 class vtkGenericOpenGLRenderWindow;
 class vtkInteractorStyle;
+class vtkRenderWindow;
 class vtkVariationFieldVolumeMapper;
 
 namespace varimarch
 {
 
+class VolumeSurface;
+
 /// The volume in 3D, rendered by one mapper. It observes the model and reports back when the user
 /// turns the camera. Several changes at once are followed by one quick frame; when the changes
 /// stop, it renders a fine frame and then refines it.
 class VolumeView
-  : public QVTKOpenGLNativeWidget
+  : public QWidget
   , public ToolSurface
 {
   Q_OBJECT
@@ -43,11 +47,17 @@ public:
   VolumeView(SceneModel* model, MapperKind kind, QWidget* parent = nullptr);
   ~VolumeView() override;
 
+  /// The window that VTK draws into.
+  vtkRenderWindow* RenderWindow();
+
   /// Null before the first volume.
   ScenePipeline* Pipeline() { return this->pipeline ? &*this->pipeline : nullptr; }
 
   /// Rendering time of the last frame, without the pauses between its parts [s].
   double PictureSeconds() const { return this->pictureSeconds; }
+
+  /// Size of the image that is shown [pixels]: less than that of the view while the user turns it.
+  QSize PicturePixels() const;
 
   /// Projection of the last frame.
   PictureFrame Frame() const override;
@@ -97,7 +107,6 @@ signals:
   void Pointed(const QString& text);
 
 protected:
-  void initializeGL() override;
   bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
@@ -115,6 +124,8 @@ private:
 
   class OverlayWidget;
 
+  void ConnectWindow();
+  void TakeContext();
   void Update(ScenePart part);
   bool Takes(ScenePart part);
   void FollowCamera();
@@ -144,7 +155,9 @@ private:
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkEventQtSlotConnect> events;
   std::optional<ScenePipeline> pipeline;
+  VolumeSurface* surface;
   QWidget* overlay; ///< an OverlayWidget
+  QVTKInteractorAdapter input;
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
   FramePacer pacer;
   StillPicture still;                    ///< the fine frame of VTK's GPU mapper

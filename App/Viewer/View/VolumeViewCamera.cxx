@@ -5,6 +5,7 @@
 #include "Scene/SceneCamera.h"
 
 #include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyle.h>
 #include <vtkRenderWindowInteractor.h>
 
@@ -28,7 +29,7 @@ bool IsAt(const Camera& placement, vtkCamera* camera, bool adaptsClippingRange)
 
 vtkInteractorStyle* VolumeView::Style()
 {
-  return vtkInteractorStyle::SafeDownCast(this->interactor()->GetInteractorStyle());
+  return vtkInteractorStyle::SafeDownCast(this->window->GetInteractor()->GetInteractorStyle());
 }
 
 void VolumeView::FollowCamera()

@@ -4,10 +4,12 @@
 
 #include "Scene/FloatCapture.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/View/VolumeSurface.h"
 #include "Viewer/WaitCursor.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
+#include <vtkRenderWindowInteractor.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <new>
@@ -83,7 +85,8 @@ void VolumeView::ApplyRefining()
     ours->SetLongestPartSeconds(this->refines ? LongestPartSeconds : 0.0);
   }
   const bool isDrawnHere = !this->IsDrawnInThread();
-  this->interactor()->SetEnableRender(isDrawnHere);
+  this->surface->setVisible(isDrawnHere);
+  this->window->GetInteractor()->SetEnableRender(isDrawnHere);
   if (this->pipeline)
   {
     this->pipeline->Renderer()->SetDraw(isDrawnHere);
@@ -148,6 +151,12 @@ void VolumeView::TakePicture()
   {
     this->pacer.RequestRefinement();
   }
+}
+
+QSize VolumeView::PicturePixels() const
+{
+  const bool isOfThread = this->IsDrawnInThread() && this->thread->Last();
+  return isOfThread ? this->thread->Last()->image.size() : this->size() * this->devicePixelRatioF();
 }
 
 std::optional<PictureNumbers> VolumeView::Numbers()
@@ -253,9 +262,8 @@ void VolumeView::LoseGraphics()
   }
 }
 
-void VolumeView::initializeGL()
+void VolumeView::TakeContext()
 {
-  QVTKOpenGLNativeWidget::initializeGL();
   if (this->isLost)
   {
     this->isLost = false;
