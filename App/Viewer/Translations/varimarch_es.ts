@@ -4243,7 +4243,7 @@ ml</translation>
     </message>
     <message>
         <source>Move to the left, to the back, to the head</source>
-        <translation>Mover a la izquierda, hacia atrás, hacia la cabeza</translation>
+        <translation>Mover a la izquierda, atrás, a la cabeza</translation>
     </message>
     <message>
         <source>Turn about these axes</source>
