@@ -8,6 +8,7 @@
 #include <vtkPointData.h>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <cmath>
 
@@ -80,7 +81,8 @@ StoredVolume Chest(double noduleRadiusMm)
   return volume;
 }
 
-/// Tracer in Bq/ml, in voxels of 8 mm around the middle of the chest.
+/// Tracer in Bq/ml, in voxels of 8 mm around the middle of the chest: the body, the heart, and the
+/// nodule.
 StoredVolume Tracer()
 {
   StoredVolume volume;
@@ -88,7 +90,10 @@ StoredVolume Tracer()
   volume.values.assign(40 * 32 * 32, 0.0);
   volume.axesMm = glm::dmat3(8.0);
   volume.originMm = { -156.0, -124.0, -124.0 };
-  SetBall(volume, 2500.0, { 0.0, 0.0, 0.0 }, 90.0);
+  Set(volume, 1000.0,
+    [](const glm::dvec3& place)
+    { return glm::length(glm::dvec2(place.x / 165.0, place.y / 105.0)) <= 1.0; });
+  SetBall(volume, 12000.0, { 26.0, -38.0, -28.0 }, 40.0);
   SetBall(volume, 20000.0, TaskScans::Nodule(), 16.0);
   return volume;
 }
@@ -98,7 +103,8 @@ Elements Uptake()
 {
   return { { 0x00080021, Text("DA", "20260102") }, { 0x00080022, Text("DA", "20260102") },
     { 0x00080031, Text("TM", "100000") }, { 0x00080032, Text("TM", "100130") },
-    { 0x00101030, Decimals({ 80 }) }, { 0x00541001, Text("CS", "BQML") },
+    { 0x00101030, Decimals({ 80 }) }, { 0x00281050, Text("DS", "7500") },
+    { 0x00281051, Text("DS", "15000") }, { 0x00541001, Text("CS", "BQML") },
     { 0x00541102, Text("CS", "START") }, { 0x00280051, Text("CS", "DECY\\ATTN") },
     { 0x00540016,
       Sequence({ { { 0x00181072, Text("TM", "090000") }, { 0x00181074, Decimals({ 4e8 }) },
@@ -122,6 +128,11 @@ void Write(const TemporaryFolder& folder, const StoredVolume& volume, const std:
 glm::dvec3 TaskScans::Nodule()
 {
   return { 100.0, 5.0, 10.0 };
+}
+
+std::vector<glm::dvec3> TaskScans::Aorta()
+{
+  return { { 28.0, 31.0, 55.0 }, { 26.0, 31.0, -60.0 }, { 18.0, 31.0, -140.0 } };
 }
 
 TaskScans::TaskScans()

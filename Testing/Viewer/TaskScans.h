@@ -4,10 +4,11 @@
 #include "Module/PhantomFiles.h"
 
 #include <string>
+#include <vector>
 
 /// The scans of a patient who does not exist, as folders of DICOM files: a CT of the chest with a
 /// nodule in the left lung and a table below, the same after the nodule has grown, and a PET in
-/// which it is hot.
+/// which it and the heart are hot.
 class TaskScans
 {
 public:
@@ -21,6 +22,8 @@ public:
 
   /// The middle of the nodule, in LPS [mm].
   static glm::dvec3 Nodule();
+  /// Points of the descending aorta in one coronal plane, from above, in LPS [mm].
+  static std::vector<glm::dvec3> Aorta();
 
 private:
   TemporaryFolder folder;

@@ -35,13 +35,17 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
-#include <QSignalSpy>
 #include <QSurfaceFormat>
 #include <QTest>
 #include <QToolBar>
+#include <QVTKOpenGLNativeWidget.h>
 
+#include <vtkVariationFieldVolumeMapper.h>
+
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
+#include <tuple>
 
 using namespace varimarch;
 
@@ -90,7 +94,7 @@ public:
     this->Begin(this->scans.Ct());
     this->AddScan(this->scans.Pet());
     this->ClickTool(5); // Box
-    SliceView* const slice = this->AxialAt(TaskScans::Nodule());
+    SliceView* const slice = this->SliceAt(SlicePlane::Axial, TaskScans::Nodule());
     const QPoint there = PlaceOf(*slice, TaskScans::Nodule());
     this->hand.Drag(slice, there - QPoint(12, 12), there + QPoint(12, 12));
     Await([&] { return this->Model()->CurrentScene().measures.size() == 1; },
@@ -101,7 +105,7 @@ public:
   void MeasureNodule()
   {
     this->Begin(this->scans.Ct());
-    SliceView* const slice = this->AxialAt(TaskScans::Nodule());
+    SliceView* const slice = this->SliceAt(SlicePlane::Axial, TaskScans::Nodule());
     this->hand.RaisePanel(this->window.get(), "segments");
     this->Press("newSegment");
     this->Press("toolRegion");
@@ -129,12 +133,13 @@ public:
   void StraightenVessel()
   {
     this->Begin(this->scans.Ct());
-    SliceView* const slice = this->AxialAt(TaskScans::Nodule());
+    const std::vector<glm::dvec3> aorta = TaskScans::Aorta();
+    SliceView* const slice = this->SliceAt(SlicePlane::Coronal, aorta.front());
     this->hand.PressKey(this->window.get(), Qt::Key_U); // Curve
-    const QPoint there = PlaceOf(*slice, TaskScans::Nodule());
-    for (const QPoint& step : { QPoint(-40, 30), QPoint(0, 0), QPoint(30, 35) })
+    for (const glm::dvec3& place : aorta)
     {
-      this->hand.Click(slice, there + step);
+      this->hand.Click(slice, PlaceOf(*slice, place));
+      QTest::qWait(100); // the first curve makes room for the view along it
     }
     Await([&] { return this->window->findChild<QDockWidget*>("curve")->isVisible(); },
       "the view along the curve does not open");
@@ -144,7 +149,7 @@ public:
   void CompareTimes()
   {
     this->Begin(this->scans.Ct());
-    this->AxialAt(TaskScans::Nodule());
+    this->SliceAt(SlicePlane::Axial, TaskScans::Nodule());
     this->AddScan(this->scans.LaterCt());
     this->hand.Click(this->window->findChild<QCheckBox*>("checkerboard"), { 8, 8 });
     Await([&] { return this->Model()->CurrentScene().slices.fusion == SliceFusion::Checkerboard; },
@@ -282,15 +287,17 @@ private:
       "the further scan is not added");
   }
 
-  // The axial slice through a place, as after scrolling to it, which differs for each scan.
-  SliceView* AxialAt(const glm::dvec3& place)
+  // A slice through a place, as after scrolling to it, which differs for each scan.
+  SliceView* SliceAt(SlicePlane plane, const glm::dvec3& place)
   {
     this->Model()->Edit(ScenePart::Slices, "scroll",
       [&](Scene& scene) {
         scene.slices.crosshairMm = { place.x, place.y, place.z };
       });
     QTest::qWait(100);
-    return this->window->findChild<SliceView*>();
+    const QList<SliceView*> slices = this->window->findChildren<SliceView*>();
+    return *std::find_if(slices.begin(), slices.end(),
+      [plane](const SliceView* slice) { return slice->Plane() == plane; });
   }
 
   static QPoint PlaceOf(const SliceView& slice, const glm::dvec3& place)
@@ -306,16 +313,36 @@ private:
     }
   }
 
-  // Takes a picture of the window when nothing is refined any more.
+  // Waits for a whole picture of the volume, and for those of the presets, which come one by one.
+  void AwaitPictures()
+  {
+    auto* const mapper =
+      vtkVariationFieldVolumeMapper::SafeDownCast(this->View()->Pipeline()->Mapper());
+    Await([&] { return mapper->GetAccumulatedPictures() > 0; }, "the volume is not drawn");
+    const auto* const presets =
+      this->window->findChild<PresetGallery*>()->findChild<QListWidget*>();
+    const auto keys = [presets]
+    {
+      QList<qint64> found;
+      for (int row = 0; row < presets->count(); ++row)
+      {
+        found.append(presets->item(row)->icon().cacheKey());
+      }
+      return found;
+    };
+    constexpr int MostMilliseconds = 3000; // between two pictures
+    for (QList<qint64> before; presets->isVisible() && before != keys();)
+    {
+      before = keys();
+      std::ignore = QTest::qWaitFor([&] { return before != keys(); }, MostMilliseconds);
+    }
+  }
+
+  // Takes a picture of the window, and closes it.
   void Finish(const QString& name, const QString& task)
   {
     this->efforts.push_back({ task, this->hand.Clicks(), this->hand.Seconds() });
-    QSignalSpy drawn(this->View(), &VolumeView::Drawn);
-    for (int before = -1; before != drawn.count();)
-    {
-      before = drawn.count();
-      QTest::qWait(700);
-    }
+    this->AwaitPictures();
     this->Take(name, this->window.get());
     this->hand.Expect(
       [](QWidget* dialog)
@@ -328,6 +355,7 @@ private:
     this->window->close();
     this->window.reset();
     this->hand.ForgetExpected();
+    QSettings().remove("window/panels"); // each task begins as on the first day
   }
 
   QString folder;

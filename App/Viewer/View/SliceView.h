@@ -33,6 +33,8 @@ class SliceView
 public:
   SliceView(SceneModel* model, SlicePlane plane, QWidget* parent = nullptr);
 
+  SlicePlane Plane() const { return this->plane; }
+
   /// Sets the action of the left button. For tools of the 3D view it moves the crosshair.
   void SetTool(LeftButton button);
 
