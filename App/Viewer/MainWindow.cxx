@@ -260,6 +260,7 @@ void MainWindow::MakePanels()
     auto* const scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // it follows the control that has the keys
     scroll->setWidget(panel);
     auto* const dock = new QDockWidget(title);
     dock->setObjectName(name);
@@ -285,9 +286,9 @@ void MainWindow::MakePanels()
   // Handles are visible only while the panel of the cuts is open.
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
   this->MakeCurvedView();
+  this->MakePanelTabs();
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
   this->ArrangePanels();
-  this->MakePanelTabs();
   this->MakePanelMenu();
   NamePartsOfControls(this);
 }

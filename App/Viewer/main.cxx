@@ -1,5 +1,6 @@
 // varimarch-viewer shows a volume in a window.
 
+#include "Viewer/AccessibleNames.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
@@ -169,6 +170,7 @@ int main(int argumentCount, char** arguments)
   QApplication application(argumentCount, arguments);
   qInstallMessageHandler(printing);
   varimarch::Speak(varimarch::ChosenLanguage(), &application);
+  varimarch::TellRolesOfViews();
 
   QCommandLineParser parser;
   AddOptions(parser);

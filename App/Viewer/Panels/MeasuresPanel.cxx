@@ -35,6 +35,7 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
        "later. Double-click a name to change it, or a value to go there."));
   hint->setWordWrap(true);
   this->table->setAccessibleName(tr("Measurements"));
+  this->table->setTabKeyNavigation(false); // Tab leads out of it
   this->table->setHorizontalHeaderLabels({ tr("Name"), tr("Value") });
   this->table->horizontalHeader()->setStretchLastSection(true);
   this->table->verticalHeader()->hide();

@@ -117,6 +117,16 @@ void PresetGallery::MakeList()
   const auto choose = [this](QListWidgetItem* item) { this->Choose(this->list->row(item)); };
   connect(this->list, &QListWidget::itemClicked, this, choose);
   connect(this->list, &QListWidget::itemActivated, this, choose);
+  // The arrow keys show one look after another, and screen readers select without a click.
+  connect(this->list, &QListWidget::itemSelectionChanged, this,
+    [this, choose]
+    {
+      const QList<QListWidgetItem*> selected = this->list->selectedItems();
+      if (!selected.isEmpty())
+      {
+        choose(selected.front());
+      }
+    });
   connect(this->list, &QListWidget::itemChanged, this, &PresetGallery::Rename);
   connect(this->list, &QListWidget::currentRowChanged, this,
     [this](int row) { this->remove->setEnabled(this->IsOwn(row)); });
@@ -342,6 +352,7 @@ void PresetGallery::Remove()
       this->ownPresets.Remove(name);
       this->presets.erase(this->presets.begin() + row);
       --this->firstOther;
+      this->list->setCurrentRow(-1); // Qt would select the next one
       delete this->list->takeItem(row);
       this->DrawPictures();
       this->MarkCurrent();

@@ -88,6 +88,7 @@ SegmentsPanel::SegmentsPanel(SceneModel* model, QWidget* parent)
 void SegmentsPanel::MakeTable()
 {
   this->table = new QTableWidget(0, ColumnCount);
+  this->table->setTabKeyNavigation(false); // Tab leads out of it
   this->table->setAccessibleName(tr("Segments"));
   this->table->verticalHeader()->hide();
   this->table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

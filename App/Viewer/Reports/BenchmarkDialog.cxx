@@ -135,6 +135,7 @@ QWidget* BenchmarkDialog::MakeChoices()
 void BenchmarkDialog::MakeTable()
 {
   this->table = new QTableWidget(0, ColumnNames().size());
+  this->table->setTabKeyNavigation(false); // Tab leads out of it
   this->table->setAccessibleName(tr("Results"));
   this->table->setHorizontalHeaderLabels(ColumnNames());
   this->table->setEditTriggers(QAbstractItemView::NoEditTriggers);
