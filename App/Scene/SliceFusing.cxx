@@ -48,6 +48,23 @@ private:
   double topMm;
 };
 
+// Blended colours that begin with black are light: black lets everything below through. Greys are
+// values, of which black is one, and the squares of a checkerboard show nothing else.
+Rgba PixelOf(const FusedSlice& fused, double part)
+{
+  const auto byteOf = [](double value) { return std::uint8_t(std::lround(value)); };
+  const auto rgb = SliceColorOf(fused.colors, part);
+  if (fused.colors == SliceColors::Gray || fused.fusion != SliceFusion::Blend)
+  {
+    return { rgb[0], rgb[1], rgb[2], byteOf(255.0 * fused.opacity) };
+  }
+  const double brightest = *std::max_element(rgb.begin(), rgb.end());
+  const auto pure = [&](double channel) { return byteOf(255.0 * channel / brightest); };
+  return brightest == 0.0
+    ? Rgba{}
+    : Rgba{ pure(rgb[0]), pure(rgb[1]), pure(rgb[2]), byteOf(fused.opacity * brightest) };
+}
+
 }
 
 std::array<std::uint8_t, 3> SliceColorOf(SliceColors colors, double part)
@@ -71,7 +88,6 @@ std::vector<Rgba> FusedPixels(
   const std::vector<std::uint8_t> grays = SlicePicture(image, request);
   const SliceGrid grid(image, request);
   const Checkerboard board(request);
-  const auto alpha = std::uint8_t(std::lround(255.0 * fused.opacity));
   std::vector<Rgba> pixels(grays.size(), Rgba{});
   tbb::parallel_for(tbb::blocked_range<int>(0, request.height),
     [&](const tbb::blocked_range<int>& rows)
@@ -81,11 +97,10 @@ std::vector<Rgba> FusedPixels(
         for (int column = 0; column < request.width; ++column)
         {
           const std::size_t pixel = std::size_t(row) * request.width + column;
-          const bool isShown = fused.fusion == SliceFusion::Blend || board.ShowsUpper(column, row);
-          if (isShown && grid.Holds(grid.IndexAt(column, row)))
+          const bool isBlend = fused.fusion == SliceFusion::Blend;
+          if ((isBlend || board.ShowsUpper(column, row)) && grid.Holds(grid.IndexAt(column, row)))
           {
-            const auto rgb = SliceColorOf(fused.colors, grays[pixel] / 255.0);
-            pixels[pixel] = { rgb[0], rgb[1], rgb[2], alpha };
+            pixels[pixel] = PixelOf(fused, grays[pixel] / 255.0);
           }
         }
       }

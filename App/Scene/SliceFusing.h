@@ -20,8 +20,9 @@ struct FusedSlice
 };
 
 /// Pixels to draw over the slice of the first volume, row by row from the upper left. Outside the
-/// volume they are transparent. The squares of a checkerboard have sides of 20 mm and keep their
-/// place in the patient when the slice is moved or zoomed.
+/// volume they are transparent, and in a blend black is too, unless the colours are greys. The
+/// squares of a checkerboard have sides of 20 mm and keep their place in the patient when the slice
+/// is moved or zoomed.
 /// @param image    the volume where it is placed
 /// @param request  the slice, with the window and level of this volume
 std::vector<Rgba> FusedPixels(

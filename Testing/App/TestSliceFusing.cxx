@@ -52,6 +52,28 @@ TEST(SliceFusing, ABlendHasTheColoursOfTheWindowAndEndsAtTheVolume)
   EXPECT_EQ(FusedPixel(pixels, 30, 61)[3], 0);
 }
 
+// Hot colours are light over the scan below: without tracer nothing of the scan is darkened.
+TEST(SliceFusing, TheBlackOfABlendedColourMapIsTransparent)
+{
+  const FusedSlice fused = { SliceColors::Hot, 0.5, SliceFusion::Blend };
+  const auto pixels = FusedPixels(FusedRamp(), FusedRequest(), fused);
+  // At 0.5 of 60 a fortieth of full red, at 10.5 half of it and a bit.
+  EXPECT_NEAR(FusedPixel(pixels, 0, 30)[3], 0.5 * 255.0 * 3.0 * 0.5 / 60.0, 2.0);
+  const Rgba dim = FusedPixel(pixels, 10, 30);
+  EXPECT_EQ(dim[0], 255);
+  EXPECT_EQ(dim[1], 0);
+  EXPECT_NEAR(dim[3], 0.5 * 255.0 * 3.0 * 10.5 / 60.0, 2.0);
+  // Black in greys is a value, and so it is in a checkerboard.
+  EXPECT_EQ(FusedPixel(FusedPixels(FusedRamp(), FusedRequest(),
+                         { SliceColors::Gray, 0.5, SliceFusion::Blend }),
+              0, 30)[3],
+    128);
+  EXPECT_EQ(FusedPixel(FusedPixels(FusedRamp(), FusedRequest(),
+                         { SliceColors::Hot, 1.0, SliceFusion::Checkerboard }),
+              0, 30)[3],
+    255);
+}
+
 TEST(SliceFusing, TheSquaresOfACheckerboardAlternateAndStayInThePatient)
 {
   const FusedSlice fused = { SliceColors::Gray, 1.0, SliceFusion::Checkerboard };
