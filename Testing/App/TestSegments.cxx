@@ -119,8 +119,7 @@ namespace
 {
 
 /// A colour as CIELab, as a dichromat sees it.
-/// @param seen  rows of the matrix of F. Viénot, H. Brettel and J. Mollon, Color Research and
-///              Application 24, 1999, 243-252, for linear RGB
+/// @param seen  rows of a matrix for linear RGB
 glm::dvec3 LabSeen(const glm::dvec3& rgb, const std::array<glm::dvec3, 3>& seen)
 {
   glm::dvec3 linear;
@@ -141,6 +140,9 @@ glm::dvec3 LabSeen(const glm::dvec3& rgb, const std::array<glm::dvec3, 3>& seen)
 
 }
 
+// The matrices for missing red and green are those of F. Viénot, H. Brettel and J. Mollon, Color
+// Research and Application 24, 1999, 243-252; that for missing blue is of G. Machado, M. Oliveira
+// and L. Fernandes, IEEE Transactions on Visualization and Computer Graphics 15, 2009, 1291-1298.
 TEST(Segments, HaveFirstColoursThatEveryKindOfColourVisionTellsApart)
 {
   const std::array<glm::dvec3, 3> usual = { { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
@@ -148,7 +150,9 @@ TEST(Segments, HaveFirstColoursThatEveryKindOfColourVisionTellsApart)
     { 0.00401, -0.00401, 1.0 } } };
   const std::array<glm::dvec3, 3> deutan = { { { 0.29275, 0.70725, 0.0 }, { 0.29275, 0.70725, 0.0 },
     { -0.02234, 0.02234, 1.0 } } };
-  for (const auto& seen : { usual, protan, deutan })
+  const std::array<glm::dvec3, 3> tritan = { { { 1.255528, -0.076749, -0.178779 },
+    { -0.078411, 0.930809, 0.147602 }, { 0.004733, 0.691367, 0.303900 } } };
+  for (const auto& seen : { usual, protan, deutan, tritan })
   {
     for (int a = 1; a <= 7; ++a)
     {
