@@ -76,14 +76,21 @@ std::shared_ptr<const LabelMap> LoadLabelsReporting(
     }
     return nullptr;
   }
-  const Progress progress("Reading " + scene.labels->path);
-  auto labels = std::make_shared<LabelMap>(LoadLabels(*scene.labels, volume));
+  auto labels = LoadLabelsReporting(volume, *scene.labels);
   if (!arguments.colorTable.empty())
   {
     TakeTable(ReadSegmentTable(arguments.colorTable), labels->segments);
+    scene.labels->segments = labels->segments;
   }
+  return labels;
+}
+
+std::shared_ptr<LabelMap> LoadLabelsReporting(const LoadedVolume& volume, SceneLabels& ofScene)
+{
+  const Progress progress("Reading " + ofScene.path);
+  auto labels = std::make_shared<LabelMap>(LoadLabels(ofScene, volume));
   PrintNewWarnings(*labels, volume);
-  scene.labels->segments = labels->segments;
+  ofScene.segments = labels->segments;
   return labels;
 }
 

@@ -25,6 +25,11 @@ struct LabelArguments
 std::shared_ptr<const LabelMap> LoadLabelsReporting(
   const LabelArguments& arguments, const LoadedVolume& volume, Scene& scene);
 
+/// The labels of a volume of a scene. Prints warnings.
+/// @param ofScene  gets the segments
+/// @throws std::runtime_error when a file cannot be read, or the labels do not fit the volume
+std::shared_ptr<LabelMap> LoadLabelsReporting(const LoadedVolume& volume, SceneLabels& ofScene);
+
 /// A table of the segments: value, voxels, volume, colour and name of each.
 std::string SegmentsText(const LabelMap& labels);
 

@@ -1,5 +1,6 @@
 #include "OverlayArguments.h"
 
+#include "LabelArguments.h"
 #include "Messages.h"
 #include "Scene/ImageStatistics.h"
 #include "Scene/Overlaying.h"
@@ -30,7 +31,7 @@ void WarnOfOtherSpace(
 
 }
 
-std::vector<vtkSmartPointer<vtkImageData>> LoadOverlaysReporting(
+std::vector<OverlayVoxels> LoadOverlaysReporting(
   const std::vector<std::string>& paths, const LoadedVolume& first, Scene& scene)
 {
   if (1 + scene.overlays.size() + paths.size() > MostVolumes)
@@ -39,12 +40,16 @@ std::vector<vtkSmartPointer<vtkImageData>> LoadOverlaysReporting(
       " volumes together with the first, found " +
       std::to_string(1 + scene.overlays.size() + paths.size()));
   }
-  std::vector<vtkSmartPointer<vtkImageData>> images;
-  for (const OverlaidVolume& overlay : scene.overlays)
+  std::vector<OverlayVoxels> voxels;
+  for (OverlaidVolume& overlay : scene.overlays)
   {
     const LoadedVolume volume = LoadVolumeReporting(overlay.source);
     WarnOfOtherSpace(first, volume, overlay);
-    images.push_back(volume.image);
+    voxels.push_back({ volume.image });
+    if (overlay.labels)
+    {
+      voxels.back().labels = LoadLabelsReporting(volume, *overlay.labels);
+    }
   }
   for (const std::string& path : paths)
   {
@@ -52,9 +57,9 @@ std::vector<vtkSmartPointer<vtkImageData>> LoadOverlaysReporting(
     const LoadedVolume volume = LoadVolumeReporting(source);
     scene.overlays.push_back(OverlayOf(source, volume, ImageStatistics(volume.image)));
     WarnOfOtherSpace(first, volume, scene.overlays.back());
-    images.push_back(volume.image);
+    voxels.push_back({ volume.image });
   }
-  return images;
+  return voxels;
 }
 
 }

@@ -172,28 +172,28 @@ std::shared_ptr<const LabelMap> LabelsOver(vtkImageData* volume, const GivenLabe
   return map;
 }
 
-using Images = std::vector<vtkSmartPointer<vtkImageData>>;
+using Overlays = std::vector<OverlayVoxels>;
 
 // The images of a Python sequence; empty with a Python error if it holds something else.
-std::optional<Images> ImagesOf(PyObject* sequence)
+std::optional<Overlays> OverlaysOf(PyObject* sequence)
 {
-  Images images;
+  Overlays overlays;
   for (Py_ssize_t i = 0; i < PySequence_Size(sequence); ++i)
   {
     PyObject* const item = PySequence_GetItem(sequence, i);
-    images.push_back(
-      static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(item, "vtkImageData")));
+    overlays.push_back(
+      { static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(item, "vtkImageData")) });
     Py_XDECREF(item);
-    if (!images.back())
+    if (!overlays.back().image)
     {
       return std::nullopt;
     }
   }
-  return images;
+  return overlays;
 }
 
 vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, vtkImageData* volume,
-  const std::shared_ptr<const LabelMap>& labels, const Images& overlays, VtkMessages& messages)
+  const std::shared_ptr<const LabelMap>& labels, const Overlays& overlays, VtkMessages& messages)
 {
   const ReleasedInterpreter released;
   OffscreenView view(scene, volume, MapperKind::Varimarch);
@@ -243,7 +243,7 @@ PyObject* Render(PyObject*, PyObject* arguments)
   }
   auto* const volume =
     static_cast<vtkImageData*>(vtkPythonUtil::GetPointerFromObject(object, "vtkImageData"));
-  const std::optional<Images> overlays = volume ? ImagesOf(overlayObjects) : std::nullopt;
+  const std::optional<Overlays> overlays = volume ? OverlaysOf(overlayObjects) : std::nullopt;
   if (!overlays || (labelObject != Py_None && !given.Take(labelObject)))
   {
     return nullptr;

@@ -1,5 +1,6 @@
 #include "Scene/OverlaysJson.h"
 
+#include "Scene/LabelsJson.h"
 #include "Scene/LookJson.h"
 #include "Scene/VolumeJson.h"
 
@@ -48,8 +49,8 @@ void ReadAppearance(const JsonCursor& json, OverlaidVolume& overlay)
 
 OverlaidVolume OverlayFromJson(const JsonCursor& json)
 {
-  json.RequireObject(
-    { "volume", "look", "name", "placement", "visible", "opacity", "sliceColors", "windowLevel" });
+  json.RequireObject({ "volume", "look", "name", "placement", "visible", "opacity", "sliceColors",
+    "windowLevel", "labels" });
   OverlaidVolume overlay = { VolumeFromJson(json.At("volume")),
     PresetFromJson(json.At("look")).look };
   if (const auto name = json.Find("name"))
@@ -61,6 +62,10 @@ OverlaidVolume OverlayFromJson(const JsonCursor& json)
     overlay.placement = PlacementFromJson(*placement);
   }
   ReadAppearance(json, overlay);
+  if (const auto labels = json.Find("labels"))
+  {
+    overlay.labels = LabelsFromJson(*labels);
+  }
   return overlay;
 }
 
@@ -90,6 +95,10 @@ nlohmann::ordered_json JsonFromOverlays(const std::vector<OverlaidVolume>& overl
     if (overlay.windowLevel)
     {
       json["windowLevel"] = *overlay.windowLevel;
+    }
+    if (overlay.labels)
+    {
+      json["labels"] = JsonFromLabels(*overlay.labels);
     }
     list.push_back(json);
   }

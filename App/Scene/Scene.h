@@ -223,6 +223,26 @@ enum class SliceColors
   Green,
 };
 
+/// A region of a label map, such as an organ: the voxels of one value.
+struct Segment
+{
+  int value;            ///< value of its voxels in the file, not 0
+  std::string name;     ///< may be empty
+  glm::dvec3 rgb;       ///< [0, 1]
+  bool visible = true;  ///< false draws its voxels as the look does
+  double opacity = 1.0; ///< opacity of its mean thickness, [0, 1]
+};
+
+/// A segmentation that is drawn over a volume; see LabelMap.h.
+struct SceneLabels
+{
+  std::string path;        ///< a file, or a folder with DICOM series
+  std::string series = {}; ///< as in FileSource; empty: the first segmentation
+  /// Appearance of segments, by their values. Segments of the file that are missing here look as
+  /// the file says.
+  std::vector<Segment> segments = {};
+};
+
 /// A volume that is drawn over the first one, in the same space.
 struct OverlaidVolume
 {
@@ -234,30 +254,11 @@ struct OverlaidVolume
   double opacity = 1.0; ///< factor of the opacities of the look, and of the part in slices, [0, 1]
   SliceColors sliceColors = SliceColors::Gray;
   std::optional<std::array<double, 2>> windowLevel = {}; ///< as in SliceSettings
+  std::optional<SceneLabels> labels = {};                ///< on the grid of this volume
 };
 
 /// Together with the first volume. Graphics cards limit a program to about 16 textures.
 constexpr std::size_t MostVolumes = 4;
-
-/// A region of a label map, such as an organ: the voxels of one value.
-struct Segment
-{
-  int value;            ///< value of its voxels in the file, not 0
-  std::string name;     ///< may be empty
-  glm::dvec3 rgb;       ///< [0, 1]
-  bool visible = true;  ///< false draws its voxels as the look does
-  double opacity = 1.0; ///< opacity of its mean thickness, [0, 1]
-};
-
-/// A segmentation that is drawn over the volume; see LabelMap.h.
-struct SceneLabels
-{
-  std::string path;        ///< a file, or a folder with DICOM series
-  std::string series = {}; ///< as in FileSource; empty: the first segmentation
-  /// Appearance of segments, by their values. Segments of the file that are missing here look as
-  /// the file says.
-  std::vector<Segment> segments = {};
-};
 
 /// The level of a volume whose voxels stayed in their file, in the order of
 /// vtkVariationFieldVolumeMapper.

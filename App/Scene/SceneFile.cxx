@@ -11,6 +11,7 @@
 #include "Scene/Presets.h"
 #include "Scene/RenderJson.h"
 #include "Scene/SceneLights.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/SlicesJson.h"
 #include "Scene/VolumeJson.h"
 
@@ -182,9 +183,12 @@ Scene ReadScene(const std::string& path)
   {
     startVolumeAtScene(overlay.source);
   }
-  if (scene.labels)
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
-    startAtScene(scene.labels->path);
+    if (auto& labels = SceneLabelsOf(scene, volume))
+    {
+      startAtScene(labels->path);
+    }
   }
   return scene;
 }

@@ -3,17 +3,18 @@
 #include "Scene/ImageOrientation.h"
 #include "Scene/LookRegions.h"
 #include "Scene/Placing.h"
+#include "Scene/SegmentDrawing.h"
 #include "Scene/VolumeProperty.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 #include <vtkTransform.h>
-#include <vtkVolumeProperty.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace varimarch
 {
@@ -82,11 +83,46 @@ Look Weakened(Look look, double factor)
   return look;
 }
 
+vtkSmartPointer<vtkVolumeProperty> PropertyOf(const OverlaidVolume& overlay, vtkImageData* image)
+{
+  const Look look = Weakened(InUnitsOfData(overlay.look, image), overlay.opacity);
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  ApplyLook(look, MeanSpacingMm(image), property);
+  if (!look.regions.empty() && image->GetNumberOfScalarComponents() == 1)
+  {
+    ApplyRegions(look.regions, image, property);
+  }
+  return property;
+}
+
+// Light shows surfaces. The inside of a translucent segment has none, and would be dark.
+vtkSmartPointer<vtkVolumeProperty> PropertyOf(
+  const LabelMap& labels, const std::vector<Segment>& segments, Shading shading)
+{
+  const bool areOpaque = std::all_of(segments.begin(), segments.end(),
+    [](const Segment& segment) { return !segment.visible || segment.opacity >= 1.0; });
+  shading.enabled = shading.enabled && areOpaque;
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  ApplyShading(shading, property);
+  ApplySegmentsByNumber(labels, segments, property);
+  return property;
+}
+
 }
 
 bool CanOverlay(MapperKind kind)
 {
   return kind != MapperKind::VtkCpu;
+}
+
+bool AreAllSegmentsDrawn(const Scene& scene)
+{
+  std::size_t parts = scene.labels ? 2 : 1;
+  for (const OverlaidVolume& overlay : scene.overlays)
+  {
+    parts += !overlay.visible ? 0 : overlay.labels ? 2 : 1;
+  }
+  return parts <= MostVolumes;
 }
 
 SceneOverlays::SceneOverlays(MapperKind kind, vtkVolumeMapper* mapper, vtkVolume* first)
@@ -102,58 +138,68 @@ vtkVolume* SceneOverlays::Prop() const
 }
 
 void SceneOverlays::Set(const std::vector<OverlaidVolume>& overlays,
-  const std::vector<vtkSmartPointer<vtkImageData>>& images)
+  const std::vector<OverlayVoxels>& voxels, const FirstSegments& firstSegments)
 {
-  std::vector<const OverlaidVolume*> shown;
-  std::vector<vtkSmartPointer<vtkImageData>> shownImages;
+  std::vector<Part> wanted;
+  std::vector<Part> ofLabels;
+  if (firstSegments.labels)
+  {
+    ofLabels.push_back({ firstSegments.numbers,
+      PropertyOf(*firstSegments.labels, firstSegments.segments, firstSegments.shading), {}, true });
+  }
   for (std::size_t i = 0; i < overlays.size() && CanOverlay(this->kind); ++i)
   {
-    if (overlays[i].visible && images[i])
+    const OverlaidVolume& overlay = overlays[i];
+    if (!overlay.visible || !voxels[i].image)
     {
-      shown.push_back(&overlays[i]);
-      shownImages.push_back(images[i]);
+      continue;
+    }
+    wanted.push_back(
+      { voxels[i].image, PropertyOf(overlay, voxels[i].image), overlay.placement, false });
+    if (voxels[i].labels && overlay.labels)
+    {
+      const LabelMap& labels = *voxels[i].labels;
+      ofLabels.push_back(
+        { labels.image, PropertyOf(labels, overlay.labels->segments, overlay.look.shading),
+          overlay.placement, true });
     }
   }
-  this->SetImages(shownImages);
-  for (std::size_t i = 0; i < shown.size(); ++i)
+  for (auto part = ofLabels.begin();
+       !wanted.empty() && part != ofLabels.end() && wanted.size() + 1 < MostVolumes; ++part)
   {
-    vtkImageData* const image = this->parts[i].image;
-    const Look look = Weakened(InUnitsOfData(shown[i]->look, image), shown[i]->opacity);
-    vtkNew<vtkVolumeProperty> property;
-    ApplyLook(look, MeanSpacingMm(image), property);
-    if (!look.regions.empty() && image->GetNumberOfScalarComponents() == 1)
-    {
-      ApplyRegions(look.regions, image, property);
-    }
-    property->SetInterpolationType(this->interpolationType);
-    vtkVolume* const volume = this->parts[i].volume;
-    volume->SetProperty(property);
-    vtkNew<vtkTransform> worldFromImage;
-    if (!IsOurs(this->kind))
-    {
-      WithoutDirection(RightHanded(image), worldFromImage);
-    }
-    worldFromImage->PostMultiply();
-    worldFromImage->Concatenate(MatrixOf(WorldFromPatient(shown[i]->placement, image)));
-    volume->SetUserMatrix(worldFromImage->GetMatrix());
+    wanted.push_back(*part);
   }
+  this->SetParts(std::move(wanted));
 }
 
-void SceneOverlays::SetImages(const std::vector<vtkSmartPointer<vtkImageData>>& shown)
+void SceneOverlays::SetParts(std::vector<Part> wanted)
 {
-  const bool isSame = std::equal(shown.begin(), shown.end(), this->parts.begin(), this->parts.end(),
-    [](const auto& image, const Part& part) { return image == part.image; });
-  if (isSame)
+  const bool isSame = std::equal(wanted.begin(), wanted.end(), this->parts.begin(),
+    this->parts.end(), [](const Part& a, const Part& b) { return a.image == b.image; });
+  for (std::size_t i = 0; i < wanted.size(); ++i)
   {
-    return;
+    wanted[i].volume = isSame ? this->parts[i].volume : vtkSmartPointer<vtkVolume>::New();
   }
-  for (std::size_t i = 0; i < this->parts.size(); ++i)
+  const std::size_t before = std::exchange(this->parts, std::move(wanted)).size();
+  if (!isSame)
+  {
+    this->ConnectParts(before);
+  }
+  for (const Part& part : this->parts)
+  {
+    this->ShowPart(part);
+  }
+  this->SetInterpolationType(this->interpolationType);
+}
+
+void SceneOverlays::ConnectParts(std::size_t countBefore)
+{
+  for (std::size_t i = 0; i < countBefore; ++i)
   {
     this->mapper->RemoveInputConnection(int(i) + 1, 0);
   }
-  this->parts.clear();
   this->several = nullptr;
-  if (shown.empty())
+  if (this->parts.empty())
   {
     return;
   }
@@ -167,15 +213,28 @@ void SceneOverlays::SetImages(const std::vector<vtkSmartPointer<vtkImageData>>& 
   }
   this->several->SetMapper(this->mapper);
   this->several->SetVolume(this->first, 0);
-  for (const auto& image : shown)
+  for (std::size_t i = 0; i < this->parts.size(); ++i)
   {
-    const int port = int(this->parts.size()) + 1;
-    this->parts.push_back({ image, vtkSmartPointer<vtkVolume>::New() });
-    vtkNew<vtkTransform> unused; // Set() computes it for every place
+    const int port = int(i) + 1;
+    const Part& part = this->parts[i];
+    vtkNew<vtkTransform> unused; // ShowPart() computes it for every place
     this->mapper->SetInputDataObject(
-      port, IsOurs(this->kind) ? image : WithoutDirection(RightHanded(image), unused));
-    this->several->SetVolume(this->parts.back().volume, port);
+      port, IsOurs(this->kind) ? part.image : WithoutDirection(RightHanded(part.image), unused));
+    this->several->SetVolume(part.volume, port);
   }
+}
+
+void SceneOverlays::ShowPart(const Part& part) const
+{
+  part.volume->SetProperty(part.property);
+  vtkNew<vtkTransform> worldFromImage;
+  if (!IsOurs(this->kind))
+  {
+    WithoutDirection(RightHanded(part.image), worldFromImage);
+  }
+  worldFromImage->PostMultiply();
+  worldFromImage->Concatenate(MatrixOf(WorldFromPatient(part.placement, part.image)));
+  part.volume->SetUserMatrix(worldFromImage->GetMatrix());
 }
 
 void SceneOverlays::SetInterpolationType(int type)
@@ -183,10 +242,7 @@ void SceneOverlays::SetInterpolationType(int type)
   this->interpolationType = type;
   for (const Part& part : this->parts)
   {
-    if (part.volume->GetProperty())
-    {
-      part.volume->GetProperty()->SetInterpolationType(type);
-    }
+    part.property->SetInterpolationType(part.isLabels ? VTK_NEAREST_INTERPOLATION : type);
   }
 }
 

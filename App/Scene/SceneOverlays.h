@@ -1,6 +1,7 @@
 #ifndef Varimarch_Scene_SceneOverlays_h
 #define Varimarch_Scene_SceneOverlays_h
 
+#include "Scene/LabelMap.h"
 #include "Scene/Scene.h"
 
 #include <vtkImageData.h>
@@ -9,7 +10,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
 
+#include <memory>
 #include <vector>
 
 namespace varimarch
@@ -18,8 +21,29 @@ namespace varimarch
 /// True if a mapper can draw several volumes in one march. VTK's fixed-point mapper draws one.
 bool CanOverlay(MapperKind kind);
 
+/// True if the volumes that are shown together, with their segmentations, are at most MostVolumes.
+bool AreAllSegmentsDrawn(const Scene& scene);
+
+/// The voxels of a volume over the first one.
+struct OverlayVoxels
+{
+  vtkSmartPointer<vtkImageData> image;         ///< null for one that could not be read
+  std::shared_ptr<const LabelMap> labels = {}; ///< null without a segmentation
+};
+
+/// The segments of the first volume, as they look now.
+struct FirstSegments
+{
+  const LabelMap* labels; ///< null without a segmentation
+  vtkImageData* numbers;  ///< the labels without what scissors remove, see LabelMask
+  const std::vector<Segment>& segments;
+  const Shading& shading;
+};
+
 /// The volumes over the first one of a ScenePipeline, which draws all of them as the parts of a
-/// vtkMultiVolume with one mapper. Hidden ones are no parts.
+/// vtkMultiVolume with one mapper. Hidden ones are no parts. The segments of each are a part of
+/// their own, which adds its light to what the look shows there, while there are at most
+/// MostVolumes parts.
 class SceneOverlays
 {
 public:
@@ -27,9 +51,9 @@ public:
   SceneOverlays(MapperKind kind, vtkVolumeMapper* mapper, vtkVolume* first);
 
   /// Replaces all of them. Where only looks and places differ, the mapper keeps its voxels.
-  /// @param images  of the overlays, in their order; null for one that could not be read
-  void Set(const std::vector<OverlaidVolume>& overlays,
-    const std::vector<vtkSmartPointer<vtkImageData>>& images);
+  /// @param voxels  of the overlays, in their order
+  void Set(const std::vector<OverlaidVolume>& overlays, const std::vector<OverlayVoxels>& voxels,
+    const FirstSegments& firstSegments);
 
   void SetInterpolationType(int type);
 
@@ -44,10 +68,15 @@ private:
   struct Part
   {
     vtkSmartPointer<vtkImageData> image;
-    vtkSmartPointer<vtkVolume> volume;
+    vtkSmartPointer<vtkVolumeProperty> property;
+    Placement placement;
+    bool isLabels; ///< its voxels are boxes
+    vtkSmartPointer<vtkVolume> volume = {};
   };
 
-  void SetImages(const std::vector<vtkSmartPointer<vtkImageData>>& shown);
+  void SetParts(std::vector<Part> wanted);
+  void ConnectParts(std::size_t countBefore);
+  void ShowPart(const Part& part) const;
 
   MapperKind kind;
   vtkVolumeMapper* mapper;

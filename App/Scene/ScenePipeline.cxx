@@ -163,11 +163,11 @@ void ScenePipeline::ApplyLight()
   }
 }
 
-void ScenePipeline::SetOverlays(const std::vector<OverlaidVolume>& drawn,
-  const std::vector<vtkSmartPointer<vtkImageData>>& images)
+void ScenePipeline::SetOverlays(
+  const std::vector<OverlaidVolume>& drawn, const std::vector<OverlayVoxels>& voxels)
 {
   this->wantedOverlays = drawn;
-  this->wantedImages = images;
+  this->wantedVoxels = voxels;
   this->ApplyOverlays();
 }
 
@@ -177,7 +177,8 @@ void ScenePipeline::ApplyOverlays()
   const bool wasAlone = !this->overlays.Any();
   const bool areDrawn = this->faceDepthMm == 0.0;
   this->overlays.Set(areDrawn ? this->wantedOverlays : std::vector<OverlaidVolume>(),
-    areDrawn ? this->wantedImages : std::vector<vtkSmartPointer<vtkImageData>>());
+    this->wantedVoxels,
+    { this->labels.get(), this->labelMask, this->segments, this->look.shading });
   if (this->overlays.Prop() != before)
   {
     this->renderer->RemoveVolume(before);
@@ -200,12 +201,14 @@ void ScenePipeline::SetLabels(std::shared_ptr<const LabelMap> newLabels)
   this->labelMask = this->labels ? LabelMask(*this->labels, this->mask) : nullptr;
   this->ApplyProperty();
   this->ApplyMask();
+  this->ApplyOverlays();
 }
 
 void ScenePipeline::SetSegments(const std::vector<Segment>& changed)
 {
   this->segments = changed;
   this->ApplyProperty();
+  this->ApplyOverlays();
 }
 
 bool ScenePipeline::DrawsLabels() const

@@ -63,11 +63,11 @@ public:
   /// @param changed  as many as the labels have, in their order
   void SetSegments(const std::vector<Segment>& changed);
   /// Draws volumes over the first one where CanOverlay. All of them are then composites, without
-  /// labels, shadows, scattered light, ambient occlusion and a number of steps; see SceneOverlays.
+  /// shadows, scattered light, ambient occlusion and a number of steps; see SceneOverlays.
   /// While the face is removed, none is drawn, since they have faces too.
-  /// @param images  as SceneOverlays::Set takes them
-  void SetOverlays(const std::vector<OverlaidVolume>& overlays,
-    const std::vector<vtkSmartPointer<vtkImageData>>& images);
+  /// @param voxels  of the overlays, in their order
+  void SetOverlays(
+    const std::vector<OverlaidVolume>& overlays, const std::vector<OverlayVoxels>& voxels);
   void SetRenderOptions(const RenderOptions& options);
   void SetLights(const std::vector<SceneLight>& lights);
   /// VTK's mappers cast no shadows, scatter no light, and have no ambient occlusion.
@@ -108,7 +108,7 @@ private:
   vtkNew<vtkVolume> volume;
   SceneOverlays overlays;
   std::vector<OverlaidVolume> wantedOverlays;
-  std::vector<vtkSmartPointer<vtkImageData>> wantedImages;
+  std::vector<OverlayVoxels> wantedVoxels;
   vtkSmartPointer<vtkImageData> mapperMask; ///< the mask that the mapper's voxels have; may be null
   vtkNew<vtkRenderer> renderer;
 };

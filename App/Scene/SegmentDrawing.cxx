@@ -34,10 +34,11 @@ vtkSmartPointer<vtkPiecewiseFunction> Constant(double value)
 // lets at least a level of 8 bits through: the steps along rays would have to be far shorter in
 // front of an edge that is harder than that.
 double OpacityOfUnitDistance(
-  double opacity, double thicknessMm, double voxelMm, double unitDistanceMm)
+  double opacity, double thicknessMm, vtkImageData* image, double unitDistanceMm)
 {
   constexpr double LeastTransmittance = 1.0 / 256.0;
-  const double most = -std::log(LeastTransmittance) / voxelMm;
+  const double* const spacing = image->GetSpacing();
+  const double most = -std::log(LeastTransmittance) / *std::min_element(spacing, spacing + 3);
   const double extinction = thicknessMm > 0.0 ? -std::log1p(-opacity) / thicknessMm : 0.0;
   return -std::expm1(-std::min(extinction, most) * unitDistanceMm);
 }
@@ -84,14 +85,12 @@ std::vector<vtkIdType> Coarser(int count, int coarseCount)
 void ApplySegments(
   const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property)
 {
-  const double* const spacing = labels.image->GetSpacing();
-  const double voxelMm = *std::min_element(spacing, spacing + 3);
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     if (segments[i].visible)
     {
       const double opacity = OpacityOfUnitDistance(segments[i].opacity, labels.sizes[i].thicknessMm,
-        voxelMm, property->GetScalarOpacityUnitDistance());
+        labels.image, property->GetScalarOpacityUnitDistance());
       ApplyOwnFunctions(int(i + 1), segments[i], opacity, property);
     }
     else if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_2D)
@@ -101,6 +100,29 @@ void ApplySegments(
   }
   ApplyFunctionsOfLook(RemovedNumber(labels), property);
   property->SetLabelScalarOpacity(RemovedNumber(labels), Constant(0.0));
+}
+
+void ApplySegmentsByNumber(
+  const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property)
+{
+  constexpr double UnitDistanceMm = 1.0;
+  vtkNew<vtkColorTransferFunction> color;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(RemovedNumber(labels), 0.0);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const Segment& segment = segments[i];
+    const double ofDistance = segment.visible
+      ? OpacityOfUnitDistance(
+          segment.opacity, labels.sizes[i].thicknessMm, labels.image, UnitDistanceMm)
+      : 0.0;
+    color->AddRGBPoint(double(i + 1), segment.rgb.r, segment.rgb.g, segment.rgb.b);
+    opacity->AddPoint(double(i + 1), ofDistance);
+  }
+  property->SetColor(color);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(UnitDistanceMm);
 }
 
 vtkSmartPointer<vtkImageData> LabelMask(const LabelMap& labels, vtkImageData* kept)

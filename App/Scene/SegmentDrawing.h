@@ -17,6 +17,11 @@ namespace varimarch
 void ApplySegments(
   const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property);
 
+/// Gives a volume of its own, whose values are the numbers of the segments and whose voxels are
+/// boxes, the colours and opacities of the visible ones, where a mapper has no masks.
+void ApplySegmentsByNumber(
+  const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property);
+
 /// The mask of a mapper for labels, without what scissors remove.
 /// @param kept  as MaskOf in Scissors.h returns it; may be null
 vtkSmartPointer<vtkImageData> LabelMask(const LabelMap& labels, vtkImageData* kept);

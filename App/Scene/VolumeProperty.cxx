@@ -192,11 +192,16 @@ void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* proper
       ? vtkSmartPointer<vtkPiecewiseFunction>()
       : CurveOf(look.gradientOpacities, meanSpacingMm));
   property->SetScalarOpacityUnitDistance(look.opacityUnitDistanceMm);
-  property->SetShade(look.shading.enabled);
-  property->SetAmbient(look.shading.ambient);
-  property->SetDiffuse(look.shading.diffuse);
-  property->SetSpecular(look.shading.specular);
-  property->SetSpecularPower(look.shading.specularPower);
+  ApplyShading(look.shading, property);
+}
+
+void ApplyShading(const Shading& shading, vtkVolumeProperty* property)
+{
+  property->SetShade(shading.enabled);
+  property->SetAmbient(shading.ambient);
+  property->SetDiffuse(shading.diffuse);
+  property->SetSpecular(shading.specular);
+  property->SetSpecularPower(shading.specularPower);
 }
 
 }

@@ -28,6 +28,9 @@ double MeanSpacingMm(vtkImageData* image);
 /// property.
 void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* property);
 
+/// Copies the coefficients of the light alone.
+void ApplyShading(const Shading& shading, vtkVolumeProperty* property);
+
 }
 
 #endif

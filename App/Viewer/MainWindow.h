@@ -126,7 +126,7 @@ private:
   void ChooseFolder();
   void ChooseRawFile();
   void ChooseSegmentation();
-  bool SaveSegmentation(); ///< false if the user cancels, or if saving fails
+  bool SaveSegmentation(int volume); ///< false if the user cancels, or if saving fails
   QWidget* MakeSegmentsPanel();
   void ChooseFurtherScan();
   void TakeSuggestedLook();

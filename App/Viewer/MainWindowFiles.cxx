@@ -286,7 +286,7 @@ void MainWindow::ShowWarnings()
 // Segments are read anew for the other grid, so they are saved before.
 void MainWindow::ToggleRectified()
 {
-  if (this->model.HasUnsavedLabels() && !this->SaveSegmentation())
+  if (this->model.HasUnsavedLabels() && !this->SaveSegmentation(0))
   {
     return;
   }

@@ -4,6 +4,7 @@
 
 #include "DicomSegments/DicomSegments.h"
 #include "Readers/Dicom/TaggedSeries.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/SegmentFiles.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SegmentEditor.h"
@@ -37,6 +38,17 @@ bool IsDicom(const Study& study)
   return !study.volume.frameOfReference.empty();
 }
 
+/// Segments to save, and the volume that they lie on.
+struct SegmentsToSave
+{
+  const Scene& scene;
+  const Study& first;
+  int volume;
+
+  const SceneLabels& Labels() const { return *SceneLabelsOf(this->scene, this->volume); }
+  const Study& Scan() const { return StudyOfVolume(this->first, this->volume); }
+};
+
 struct SavedSegments
 {
   std::vector<Segment> segments; ///< with the values that they have in the file
@@ -45,23 +57,23 @@ struct SavedSegments
 
 std::vector<VolumeSource> SourcesOf(const Scene& scene)
 {
-  std::vector<VolumeSource> sources = { scene.volume };
-  for (const OverlaidVolume& overlay : scene.overlays)
+  std::vector<VolumeSource> sources;
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
-    sources.push_back(overlay.source);
+    sources.push_back(VolumeSourceOf(scene, volume));
   }
   return sources;
 }
 
 // DICOM numbers segments from 1 on.
-SavedSegments SaveDicomSegments(const Scene& scene, const Study& study, const std::string& path)
+SavedSegments SaveDicomSegments(const SegmentsToSave& segments, const std::string& path)
 {
-  RequireNoFileOf(SourcesOf(scene), path);
-  const auto& scan = std::get<FileSource>(scene.volume);
+  RequireNoFileOf(SourcesOf(segments.scene), path);
+  const auto& scan = std::get<FileSource>(VolumeSourceOf(segments.scene, segments.volume));
   ReadProgress progress([](double) { return true; });
   const TaggedSeries images(scan.path, scan.series, progress);
-  SavedSegments saved = { scene.labels->segments, {} };
-  WriteDicomSegments(*study.labels, saved.segments, images.Files(), path);
+  SavedSegments saved = { segments.Labels().segments, {} };
+  WriteDicomSegments(*segments.Scan().labels, saved.segments, images.Files(), path);
   for (std::size_t i = 0; i < saved.segments.size(); ++i)
   {
     saved.segments[i].value = int(i) + 1;
@@ -69,15 +81,16 @@ SavedSegments SaveDicomSegments(const Scene& scene, const Study& study, const st
   return saved;
 }
 
-SavedSegments SaveSegments(const Scene& scene, const Study& study, const std::string& path)
+SavedSegments SaveSegments(const SegmentsToSave& segments, const std::string& path)
 {
-  if (IsDicom(study) && QString::fromStdString(path).endsWith(".dcm", Qt::CaseInsensitive))
+  if (IsDicom(segments.Scan()) &&
+    QString::fromStdString(path).endsWith(".dcm", Qt::CaseInsensitive))
   {
-    return SaveDicomSegments(scene, study, path);
+    return SaveDicomSegments(segments, path);
   }
-  SavedSegments saved = { scene.labels->segments, {} };
+  SavedSegments saved = { segments.Labels().segments, {} };
   for (const std::string& loss :
-    WriteSegments(*study.labels, saved.segments, SourcesOf(scene), path))
+    WriteSegments(*segments.Scan().labels, saved.segments, SourcesOf(segments.scene), path))
   {
     saved.losses.append(QString::fromStdString(loss));
   }
@@ -99,7 +112,8 @@ QWidget* MainWindow::MakeSegmentsPanel()
   connect(segments, &SegmentsPanel::Saved, this, &MainWindow::ShowSaved);
   connect(segments, &SegmentsPanel::Selected, this->segmentEditor, &SegmentEditor::SetSegment);
   auto* const box = new SegmentEditingBox(&this->model, this->segmentEditor);
-  connect(box, &SegmentEditingBox::SaveWanted, this, &MainWindow::SaveSegmentation);
+  connect(box, &SegmentEditingBox::SaveWanted, this,
+    [this] { this->SaveSegmentation(this->model.EditedVolume()); });
   auto* const panel = new QWidget;
   auto* const column = new QVBoxLayout(panel);
   column->setContentsMargins(0, 0, 0, 0);
@@ -108,15 +122,18 @@ QWidget* MainWindow::MakeSegmentsPanel()
   return panel;
 }
 
-bool MainWindow::SaveSegmentation()
+bool MainWindow::SaveSegmentation(int volume)
 {
-  const auto study = this->model.CurrentStudy();
+  const SegmentsToSave segments = { this->model.CurrentScene(), *this->model.CurrentStudy(),
+    volume };
   QStringList filters = { tr("Segmentation of 3D Slicer (*.seg.nrrd)"), tr("NIfTI (*.nii.gz)") };
-  if (IsDicom(*study))
+  if (IsDicom(segments.Scan()))
   {
     filters.append(tr("DICOM segmentation (*.dcm)"));
   }
-  const QString path = ChosenFileToSave(this, tr("Save the segmentation"), filters, "segmentation");
+  const QString name =
+    volume == 0 ? "segmentation" : QStringLiteral("segmentation-%1").arg(volume + 1);
+  const QString path = ChosenFileToSave(this, tr("Save the segmentation"), filters, name);
   if (path.isEmpty())
   {
     return false;
@@ -125,14 +142,15 @@ bool MainWindow::SaveSegmentation()
   try
   {
     const WaitCursor waiting;
-    saved = SaveSegments(this->model.CurrentScene(), *study, path.toStdString());
+    saved = SaveSegments(segments, path.toStdString());
   }
   catch (const std::exception& problem)
   {
     QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
     return false;
   }
-  this->model.TakeSavedLabels(path.toStdString(), saved.segments, tr("save the segmentation"));
+  this->model.TakeSavedLabels(
+    path.toStdString(), saved.segments, tr("save the segmentation"), volume);
   this->ShowSaved(path);
   if (!saved.losses.isEmpty())
   {
@@ -156,15 +174,15 @@ void MainWindow::OpenSegmentation(const SceneLabels& labels)
 {
   this->ForgetRequest();
   this->BeginLoading(QString::fromStdString(labels.path));
-  this->loader.LoadLabels(labels, this->model.CurrentStudy());
+  this->loader.LoadLabels(labels, this->model.EditedStudy());
 }
 
 // A file that is dropped on a scan may be its segmentation. Folders and sessions are opened.
 void MainWindow::OpenDropped(const QString& path)
 {
   const std::string name = path.toStdString();
-  const auto study = this->model.CurrentStudy();
-  if (!study || KindOfFile(path) != FileKind::Volume ||
+  const bool hasScan = this->model.CurrentStudy() != nullptr;
+  if (!hasScan || KindOfFile(path) != FileKind::Volume ||
     MayHoldSeveralSeries({ name, std::nullopt }))
   {
     this->Open(path);
@@ -173,13 +191,14 @@ void MainWindow::OpenDropped(const QString& path)
   this->ForgetRequest();
   this->isDropped = true;
   this->BeginLoading(path);
-  this->loader.LoadBeside(name, study);
+  this->loader.LoadBeside(name, this->model.EditedStudy());
 }
 
 void MainWindow::ShowSegmentation(
   const SceneLabels& labels, const std::shared_ptr<const Study>& labelled)
 {
-  if (labelled->volume.image != this->model.CurrentStudy()->volume.image)
+  const std::optional<int> volume = this->model.VolumeOf(labelled->volume.image);
+  if (!volume)
   {
     // Meanwhile the user chose another form of the scan, with another grid.
     this->OpenSegmentation(labels);
@@ -189,7 +208,7 @@ void MainWindow::ShowSegmentation(
     { { "segments", double(labelled->labels->segments.size()) },
       { "warnings", double(labelled->labels->warnings.size()) } });
   this->ShowLoading(false);
-  this->model.ShowLabels(labels, labelled, tr("open a segmentation"));
+  this->model.ShowLabels(labels, labelled, tr("open a segmentation"), *volume);
   this->statusBar()->showMessage(tr("Segments: %1").arg(labelled->labels->segments.size()));
   this->RaiseSegments();
 }

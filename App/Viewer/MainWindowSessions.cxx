@@ -3,6 +3,7 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Scene/SceneVolumes.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/SaveDialog.h"
 
@@ -21,15 +22,24 @@ namespace varimarch
 QString MainWindow::CurrentWork() const
 {
   const auto study = this->model.CurrentStudy();
-  const QString voxels = this->model.HasUnsavedLabels() ? QStringLiteral("voxels") : QString();
-  return study ? WorkText(this->model.CurrentScene(), *study) + voxels : QString();
+  if (!study)
+  {
+    return {};
+  }
+  const bool hasUnsaved = this->model.VolumeWithUnsavedLabels().has_value();
+  return WorkText(this->model.CurrentScene(), *study) +
+    (hasUnsaved ? QStringLiteral("voxels") : QString());
 }
 
 void MainWindow::ForgetAutosavedFile(Scene& scene) const
 {
-  if (scene.labels && scene.labels->path == this->autosave.SegmentsPath().toStdString())
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
-    scene.labels->path.clear();
+    auto& labels = SceneLabelsOf(scene, volume);
+    if (labels && labels->path == this->autosave.SegmentsPath(volume).toStdString())
+    {
+      labels->path.clear();
+    }
   }
 }
 
@@ -56,9 +66,12 @@ bool MainWindow::SaveSession()
          "find it again. Fetch it with \"Keep in…\" first."));
     return false;
   }
-  if (this->model.HasUnsavedLabels() && !this->SaveSegmentation())
+  while (const std::optional<int> unsaved = this->model.VolumeWithUnsavedLabels())
   {
-    return false;
+    if (!this->SaveSegmentation(*unsaved))
+    {
+      return false;
+    }
   }
   const QString path = this->model.CurrentStudy()
     ? ChosenFileToSave(this, tr("Save the session"), { tr("Sessions (*.json)") }, "session")

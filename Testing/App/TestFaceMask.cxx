@@ -152,7 +152,7 @@ TEST(FaceMask, HidesFurtherVolumes)
   scene.camera.view = View::Anterior;
   scene.cuts.faceDepthMm = 15.0;
   OffscreenView view(scene, head.image, MapperKind::Varimarch);
-  view.Pipeline().SetOverlays({ { ProceduralSource(), scene.look } }, { head.image });
+  view.Pipeline().SetOverlays({ { ProceduralSource(), scene.look } }, { { head.image } });
   EXPECT_TRUE(view.Pipeline().Mask());
   EXPECT_EQ(view.Pipeline().Mapper()->GetNumberOfInputConnections(1), 0);
   view.Pipeline().SetCuts({});

@@ -21,7 +21,9 @@ std::vector<OverlaidVolume> UnusualOverlays(const Look& look)
 {
   return { { FileSource{ "/data/pet", std::nullopt, "1.2.840.3" }, look, "PET",
     { { 1.0, -2.0, 3.5 }, { 10.0, 20.0, -30.0 } }, false, 0.75, SliceColors::Green,
-    { { 5.0, 2.5 } } } };
+    { { 5.0, 2.5 } },
+    SceneLabels{
+      "/data/spots.nii", "1.2.840.4", { { 2, "spot", { 0.5, 0.25, 1.0 }, false, 0.75 } } } } };
 }
 
 std::vector<LookRegion> UnusualRegions()
@@ -221,6 +223,10 @@ TEST(SceneFile, KeepsVolumesOverTheFirst)
   EXPECT_EQ(overlay.opacity, 0.75);
   EXPECT_EQ(overlay.sliceColors, SliceColors::Green);
   EXPECT_EQ(overlay.windowLevel, scene.overlays[0].windowLevel);
+  ASSERT_TRUE(overlay.labels);
+  EXPECT_EQ(overlay.labels->path, "/data/spots.nii");
+  EXPECT_EQ(overlay.labels->series, "1.2.840.4");
+  EXPECT_EQ(overlay.labels->segments.at(0).name, "spot");
 }
 
 TEST(SceneFile, OptionalPartsOfLooksReadBackAsWritten)

@@ -6,9 +6,13 @@
 #include "Scene/Placing.h"
 #include "Scene/ProceduralVolume.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace varimarch;
 
@@ -31,7 +35,7 @@ struct Overlaid
   Scene scene;
   vtkSmartPointer<vtkImageData> image =
     ProceduralVolume({ ProceduralKind::Torso, { 48, 40, 36 }, 1 });
-  std::vector<vtkSmartPointer<vtkImageData>> others;
+  std::vector<OverlayVoxels> others;
 
   Overlaid()
   {
@@ -44,7 +48,7 @@ struct Overlaid
   void Add(const OverlaidVolume& overlay, vtkImageData* other)
   {
     this->scene.overlays.push_back(overlay);
-    this->others.push_back(other);
+    this->others.push_back({ other });
   }
 
   vtkSmartPointer<vtkImageData> Draw(MapperKind kind = MapperKind::Varimarch) const
@@ -53,6 +57,68 @@ struct Overlaid
     view.Pipeline().SetOverlays(this->scene.overlays, this->others);
     view.Render(); // VTK's GPU mapper renders its first frame only into the window itself
     return view.FloatImage();
+  }
+};
+
+// A cube of clear voxels, 1 mm apart, whose slab of 8 voxels along y is a segment.
+vtkSmartPointer<vtkImageData> ClearCube()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(17, 17, 17);
+  image->AllocateScalars(VTK_SHORT, 1);
+  image->GetPointData()->GetScalars()->Fill(0.0);
+  return image;
+}
+
+constexpr int SlabVoxels = 8;
+
+std::shared_ptr<const LabelMap> SlabOf(vtkImageData* scan, const Segment& segment)
+{
+  auto map = std::make_shared<LabelMap>();
+  map->image = vtkSmartPointer<vtkImageData>::New();
+  map->image->CopyStructure(scan);
+  map->image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  map->image->GetPointData()->GetScalars()->Fill(0.0);
+  for (int voxel = 0; voxel < 17 * SlabVoxels * 17; ++voxel)
+  {
+    const int x = voxel % 17;
+    const int y = 4 + voxel / 17 % SlabVoxels;
+    map->image->SetScalarComponentFromDouble(x, y, voxel / (17 * SlabVoxels), 0, 1.0);
+  }
+  map->segments = { segment };
+  map->sizes = SizesOf(map->image, 1);
+  return map;
+}
+
+// Two clear cubes, one over the other, seen along y.
+struct ClearCubes : Overlaid
+{
+  ClearCubes()
+  {
+    this->image = ClearCube();
+    this->scene.look.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
+    this->scene.look.opacities = { { 0.0, 0.0 } };
+    this->scene.camera = {};
+    this->scene.camera.view = View::Anterior;
+    this->scene.camera.parallel = true;
+    this->Add({ ProceduralSource(), this->scene.look }, ClearCube());
+  }
+
+  void Label(const Segment& segment)
+  {
+    this->scene.overlays[0].labels = SceneLabels{ "labels", {}, { segment } };
+    this->others[0].labels = SlabOf(this->others[0].image, segment);
+  }
+
+  std::array<double, 4> Middle()
+  {
+    const auto picture = this->Draw();
+    std::array<double, 4> color;
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      color[channel] = picture->GetScalarComponentAsDouble(32, 32, 0, channel);
+    }
+    return color;
   }
 };
 
@@ -113,7 +179,8 @@ TEST(SceneOverlays, TheFirstVolumeIsItselfAgainWhenTheyGo)
   scene.scene.cuts.bodyOnly = true;
   const auto expected = scene.Draw();
   OffscreenView view(scene.scene, scene.image, MapperKind::Varimarch);
-  view.Pipeline().SetOverlays({ { ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }) } }, { scene.image });
+  view.Pipeline().SetOverlays(
+    { { ProceduralSource(), Fog({ 0.0, 1.0, 0.0 }) } }, { { scene.image } });
   EXPECT_GT(Difference(view.FloatImage(), expected).largest, 0.1 * Levels);
   view.Pipeline().SetOverlays({}, {});
   EXPECT_EQ(Difference(view.FloatImage(), expected).largest, 0.0);
@@ -141,4 +208,49 @@ TEST(SceneOverlays, VtkDrawsThemAlike)
   const auto ours = both.Draw();
   // VTK's mapper composites its volumes one after another at each sample, and jitters none.
   EXPECT_LT(Difference(ours, both.Draw(MapperKind::VtkGpu)).rootMeanSquare, 0.03 * Levels);
+}
+
+// The opacity of a segment is that of its mean thickness, which fixes its extinction.
+TEST(SceneOverlays, HaveSegmentsOfTheirOwn)
+{
+  ClearCubes cubes;
+  EXPECT_EQ(cubes.Middle()[3], 0.0);
+  const Segment segment = { 1, "slab", { 0.25, 0.5, 1.0 }, true, 0.5 };
+  cubes.Label(segment);
+  cubes.scene.overlays[0].look.shading.enabled = true; // but the inside has no surfaces
+  const double thicknessMm = cubes.others[0].labels->sizes[0].thicknessMm;
+  const double opacity = 1.0 - std::pow(1.0 - segment.opacity, SlabVoxels / thicknessMm);
+  const auto middle = cubes.Middle();
+  EXPECT_NEAR(middle[3], opacity, 1.0 / Levels);
+  EXPECT_NEAR(middle[0], 0.25 * opacity, 1.0 / Levels);
+  EXPECT_NEAR(middle[2], opacity, 1.0 / Levels);
+  cubes.scene.overlays[0].labels->segments[0].visible = false;
+  EXPECT_EQ(cubes.Middle()[3], 0.0);
+}
+
+TEST(SceneOverlays, LeaveTheSegmentsOfTheFirstVolumeVisible)
+{
+  ClearCubes cubes;
+  cubes.scene.labels = SceneLabels{ "labels", {}, { { 1, "slab", { 1.0, 0.0, 0.0 } } } };
+  OffscreenView view(cubes.scene, cubes.image, MapperKind::Varimarch);
+  view.Pipeline().SetOverlays(cubes.scene.overlays, cubes.others);
+  view.Pipeline().SetLabels(SlabOf(cubes.image, cubes.scene.labels->segments[0]));
+  EXPECT_GT(view.FloatImage()->GetScalarComponentAsDouble(32, 32, 0, 0), 0.9);
+  std::vector<Segment> blue = { { 1, "slab", { 0.0, 0.0, 1.0 } } };
+  view.Pipeline().SetSegments(blue);
+  EXPECT_GT(view.FloatImage()->GetScalarComponentAsDouble(32, 32, 0, 2), 0.9);
+  view.Pipeline().SetLabels(nullptr);
+  EXPECT_EQ(view.FloatImage()->GetScalarComponentAsDouble(32, 32, 0, 3), 0.0);
+}
+
+TEST(SceneOverlays, SayWhenNotAllSegmentationsFit)
+{
+  Scene scene;
+  scene.overlays.resize(2);
+  scene.labels = SceneLabels();
+  EXPECT_TRUE(AreAllSegmentsDrawn(scene));
+  scene.overlays[1].labels = SceneLabels();
+  EXPECT_FALSE(AreAllSegmentsDrawn(scene));
+  scene.overlays[0].visible = false;
+  EXPECT_TRUE(AreAllSegmentsDrawn(scene));
 }

@@ -3,12 +3,15 @@
 #include "Answers.h"
 #include "OverlaidStudy.h"
 #include "Scene/Presets.h"
+#include "Scene/SegmentFiles.h"
 #include "TorsoWindow.h"
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/Panels/VolumesPanel.h"
+#include "Viewer/View/SliceView.h"
 
 #include <QAction>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QPointer>
 #include <QProgressDialog>
@@ -153,4 +156,39 @@ TEST_F(FurtherScans, ThatCannotBeReadLeaveTheFirst)
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, MostMilliseconds));
   EXPECT_TRUE(this->Model()->CurrentScene().overlays.empty());
   EXPECT_TRUE(this->Model()->CurrentStudy());
+}
+
+// The user segments the added PET by a click, saves the session with its segments, and opens it.
+TEST_F(FurtherScans, HaveSegmentsOfTheirOwn)
+{
+  this->OpenTorso();
+  this->AddPetOfFile();
+  const auto press = [&](const char* name) { this->window.findChild<QPushButton*>(name)->click(); };
+  press("newSegment");
+  this->window.findChild<QDoubleSpinBox*>("smallestValue")->setValue(900.0);
+  this->window.findChild<QDoubleSpinBox*>("largestValue")->setValue(1100.0);
+  press("toolRegion");
+  auto* const slice = this->window.findChild<SliceView*>();
+  QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
+  EXPECT_FALSE(this->Model()->CurrentScene().labels);
+  ASSERT_TRUE(this->Model()->CurrentScene().overlays[0].labels);
+  EXPECT_EQ(this->Model()->CurrentStudy()->overlays[0]->segmentStatistics.at(0).voxels, 512);
+  const QImage drawn = slice->grab().toImage();
+  this->window.findChild<QPushButton*>("hideAll")->click();
+  EXPECT_NE(slice->grab().toImage(), drawn) << "slices show them";
+  this->Model()->History()->undo();
+
+  const QString segments = this->Path("pet.seg.nrrd");
+  WriteSegments(*this->Model()->CurrentStudy()->overlays[0]->labels,
+    this->Model()->EditedLabels()->segments, {}, segments.toStdString());
+  this->Model()->TakeSavedLabels(
+    segments.toStdString(), this->Model()->EditedLabels()->segments, "save", 1);
+  WriteScene(this->Model()->CurrentScene(), this->Path("session.json"));
+  const Answers discards(QMessageBox::Discard, {});
+  this->window.Open(this->Path("torso.vti"));
+  ASSERT_TRUE(this->AwaitOverlays(0));
+  this->window.Open(this->Path("session.json"));
+  ASSERT_TRUE(this->AwaitOverlays(1));
+  EXPECT_EQ(this->Model()->CurrentStudy()->overlays[0]->segmentStatistics.at(0).voxels, 512);
+  EXPECT_FALSE(this->Model()->VolumeWithUnsavedLabels());
 }

@@ -1,7 +1,7 @@
 // Segments that are drawn by hand, with the widgets that a user operates.
 
+#include "OverlaidStudy.h"
 #include "Scene/ScenePicking.h"
-#include "SmallStudy.h"
 #include "Viewer/Panels/SegmentEditingBox.h"
 #include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/View/SliceView.h"
@@ -258,4 +258,67 @@ TEST_F(DrawnSegments, TheCrosshairMovesAgainWithoutATool)
   this->Stroke(150, 160); // from the middle: the arms of the crosshair turn the other slices
   EXPECT_EQ(this->Voxels(0), 0);
   EXPECT_TRUE(this->model.CurrentScene().slices.crosshairMm);
+}
+
+// An added PET of larger voxels, moved by hand, has segments of its own.
+TEST_F(DrawnSegments, AreThoseOfTheChosenVolume)
+{
+  this->Press("newSegment");
+  AddPet(this->model);
+  EXPECT_FALSE(this->model.EditedLabels());
+  EXPECT_EQ(this->panel.findChild<QTableWidget*>()->rowCount(), 0);
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  this->SetNumber("brushRadius", 20.0);
+  this->model.Edit(ScenePart::Overlays, "move",
+    [](Scene& scene) {
+      scene.overlays[0].placement.moveMm = { 24.0, 0.0, 0.0 };
+    });
+  this->Stroke(150, 150);
+  const Study& pet = *this->model.CurrentStudy()->overlays[0];
+  EXPECT_EQ(this->Voxels(0), 0) << "the first volume has nothing painted";
+  ASSERT_GT(pet.segmentStatistics.at(0).voxels, 4);
+  EXPECT_NEAR(
+    pet.segmentStatistics[0].volumeMm3 / double(pet.segmentStatistics[0].voxels), 512.0, 1e-6);
+  // The stroke went through the middle of the slice, where the PET's voxels are that lie 24 mm
+  // beside its own middle.
+  int index[3];
+  double parameters[3];
+  std::array<double, 3> middle = *this->slice.PointAt({ 150.0, 150.0 });
+  middle[0] -= 24.0;
+  ASSERT_TRUE(pet.labels->image->ComputeStructuredCoordinates(middle.data(), index, parameters));
+  EXPECT_EQ(pet.labels->image->GetScalarComponentAsDouble(index[0], index[1], index[2], 0), 1.0);
+  EXPECT_TRUE(this->model.HasUnsavedLabels(1));
+
+  // Each volume has its own versions and steps.
+  const std::int64_t painted = pet.segmentStatistics[0].voxels;
+  this->model.TakeSavedLabels(
+    "/scans/pet.seg.nrrd", this->model.EditedLabels()->segments, "save", 1);
+  EXPECT_EQ(this->model.VolumeWithUnsavedLabels(), 0);
+  this->model.SetEditedVolume(0);
+  EXPECT_EQ(this->panel.findChild<QTableWidget*>()->rowCount(), 1);
+  this->Stroke(100, 200);
+  EXPECT_GT(this->Voxels(0), 0);
+  EXPECT_FALSE(this->model.HasUnsavedLabels(1));
+  this->model.History()->undo(); // paints in the first
+  this->model.History()->undo(); // names the file
+  this->model.History()->undo(); // paints in the PET
+  EXPECT_EQ(this->model.CurrentStudy()->overlays[0]->segmentStatistics[0].voxels, 0);
+  this->model.History()->redo();
+  EXPECT_EQ(this->model.CurrentStudy()->overlays[0]->segmentStatistics[0].voxels, painted);
+}
+
+TEST_F(DrawnSegments, OfAnAddedVolumeGrowByItsOwnValues)
+{
+  AddPet(this->model);
+  this->Press("newSegment");
+  this->Press("toolRegion");
+  this->SetNumber("smallestValue", 900.0);
+  this->SetNumber("largestValue", 1100.0);
+  QTest::mouseClick(&this->slice, Qt::LeftButton, {}, { 150, 150 });
+  const Study& pet = *this->model.CurrentStudy()->overlays[0];
+  EXPECT_EQ(pet.segmentStatistics.at(0).voxels, 8 * 8 * 8);
+  EXPECT_EQ(pet.segmentStatistics[0].mean, 1000.0);
+  const QTableWidget* const table = this->panel.findChild<QTableWidget*>();
+  EXPECT_TRUE(table->item(0, 2)->text().remove(QRegExp("[^0-9]")).startsWith("1000"));
 }

@@ -1,6 +1,7 @@
 // Sessions on disk: they read back as written, and an autosaved copy exists until the end.
 
 #include "LabelledStudy.h"
+#include "OverlaidStudy.h"
 #include "Scene/LabelMap.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SessionFile.h"
@@ -206,4 +207,26 @@ TEST_F(Sessions, KeepThePermissionsOfTheFileTheyReplace)
   ASSERT_TRUE(QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner));
   WriteScene(this->model.CurrentScene(), file);
   EXPECT_FALSE(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther));
+}
+
+TEST_F(Sessions, AreAutosavedWithTheSegmentsOfEachVolume)
+{
+  Autosave autosave(&this->model, this->copies);
+  this->model.AddSegment("tumour", "new segment");
+  AddPet(this->model);
+  this->model.AddSegment("hot spot", "new segment");
+  this->model.ChangeLabels({ { 3, 5, 2, 2, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } }, "paint");
+  autosave.Save();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
+  const Scene saved = ReadScene(this->path.toStdString());
+  ASSERT_TRUE(saved.labels && saved.overlays.at(0).labels);
+  const SceneLabels& ofPet = *saved.overlays[0].labels;
+  EXPECT_NE(saved.labels->path, ofPet.path);
+  EXPECT_EQ(ofPet.segments[0].name, "hot spot");
+  const LabelMap map = LoadLabels(ofPet, this->model.CurrentStudy()->overlays[0]->volume);
+  EXPECT_EQ(map.sizes.at(0).voxels, 3);
+  this->model.RemoveOverlay(0, "remove");
+  autosave.Save();
+  EXPECT_FALSE(QFile::exists(QString::fromStdString(ofPet.path)));
+  EXPECT_TRUE(QFile::exists(QString::fromStdString(saved.labels->path)));
 }

@@ -3,6 +3,7 @@
 #include "Scene/MeasureUnits.h"
 #include "Scene/Placing.h"
 #include "Scene/ScenePicking.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/VolumeLoading.h"
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/Study.h"
@@ -97,6 +98,25 @@ QString ValueText(const LoadedVolume& volume, double value)
     : MeasureTexts::tr("value ") + number;
 }
 
+// ", liver" in a visible segment of a volume that has this name, otherwise empty.
+QString SegmentText(
+  const Scene& scene, const Study& study, int volume, const std::array<double, 3>& pointMm)
+{
+  const auto& labels = SceneLabelsOf(scene, volume);
+  if (!labels)
+  {
+    return {};
+  }
+  const auto numbers =
+    Placed(StudyOfVolume(study, volume).labels->image, PlacementOf(scene, volume));
+  std::array<double, 3> copy = pointMm; // VTK takes no constant
+  const vtkIdType voxel = numbers->FindPoint(copy.data());
+  const int number =
+    voxel < 0 ? 0 : static_cast<const unsigned char*>(numbers->GetScalarPointer())[voxel];
+  const bool isShown = number > 0 && labels->segments[number - 1].visible;
+  return isShown ? ", " + QString::fromStdString(labels->segments[number - 1].name) : QString();
+}
+
 // "; PET: SUV 2.35 (5868)" for each visible volume over the first at a point.
 QString OverlayTexts(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm)
 {
@@ -107,23 +127,11 @@ QString OverlayTexts(const Scene& scene, const Study& study, const std::array<do
     const auto value = ValueAt(Placed(volume.image, scene.overlays[i].placement), pointMm);
     if (value && scene.overlays[i].visible)
     {
-      texts +=
-        "; " + QString::fromStdString(scene.overlays[i].name) + ": " + ValueText(volume, *value);
+      texts += "; " + QString::fromStdString(scene.overlays[i].name) + ": " +
+        ValueText(volume, *value) + SegmentText(scene, study, int(i) + 1, pointMm);
     }
   }
   return texts;
-}
-
-// ", liver" in a visible segment of this name, otherwise empty.
-QString SegmentText(
-  const SceneLabels& labels, vtkImageData* numbers, const std::array<double, 3>& pointMm)
-{
-  std::array<double, 3> copy = pointMm; // VTK takes no constant
-  const vtkIdType voxel = numbers->FindPoint(copy.data());
-  const int number =
-    voxel < 0 ? 0 : static_cast<const unsigned char*>(numbers->GetScalarPointer())[voxel];
-  const bool isShown = number > 0 && labels.segments[number - 1].visible;
-  return isShown ? ", " + QString::fromStdString(labels.segments[number - 1].name) : QString();
 }
 
 }
@@ -196,8 +204,7 @@ QString PointText(const Scene& scene, const Study& study, const std::array<doubl
            .arg(NumberText(pointMm[0], 1))
            .arg(NumberText(pointMm[1], 1))
            .arg(NumberText(pointMm[2], 1)) +
-    (scene.labels ? SegmentText(*scene.labels, study.labels->image, pointMm) : QString()) +
-    OverlayTexts(scene, study, pointMm);
+    SegmentText(scene, study, 0, pointMm) + OverlayTexts(scene, study, pointMm);
 }
 
 }

@@ -4,6 +4,7 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneFile.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/VolumeProperty.h"
 
 #include <QUndoCommand>
@@ -118,11 +119,14 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   State restored = { std::move(opened), saved };
   restored.scene.look = InUnitsOfData(saved.look, restored.study->statistics);
   TakeTime(restored);
-  TakeSegments(restored);
   TakeOverlays(restored);
   this->edited = 0;
   this->versionsInFiles.clear();
-  this->TakeVersionOfFile(restored);
+  for (int volume = 0; volume < VolumeCount(restored.scene); ++volume)
+  {
+    TakeSegments(restored, volume);
+    this->TakeVersionOfFile(restored, volume);
+  }
   this->Replace({ ScenePart::Volume }, restored);
 }
 
@@ -135,29 +139,30 @@ void SceneModel::Exchange(
   State changed =
     this->WithStudy(WithOverlaysOf(*this->state.study, isBare ? WithoutLabels(*form) : form));
   changed.scene.volume = source;
-  TakeSegments(changed);
-  this->TakeVersionOfFile(changed);
+  TakeSegments(changed, 0);
+  this->TakeVersionOfFile(changed, 0);
   changed.scene.cuts.box =
     BoxInOther(changed.scene.cuts.box, this->exchanged->volume.image, changed.study->volume.image);
   this->history.push(
     new EditStep(this, { ScenePart::Volume }, name, std::move(changed), NoGesture));
 }
 
-void SceneModel::ShowLabels(
-  const SceneLabels& labels, const std::shared_ptr<const Study>& labelled, const QString& name)
+// Overlays may have changed while the labels were read.
+void SceneModel::ShowLabels(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled,
+  const QString& name, int volume)
 {
-  // Overlays may have changed while the labels were read.
-  State changed = this->WithStudy(WithOverlaysOf(*this->state.study, labelled));
-  changed.scene.labels = labels;
-  TakeSegments(changed);
-  this->TakeVersionOfFile(changed);
+  State changed = this->WithStudy(WithVolume(*this->state.study, volume, labelled));
+  SceneLabelsOf(changed.scene, volume) = labels;
+  TakeSegments(changed, volume);
+  this->TakeVersionOfFile(changed, volume);
   this->PushLabels(std::move(changed), name);
 }
 
 void SceneModel::CloseLabels(const QString& name)
 {
-  State changed = this->WithStudy(WithoutLabels(*this->state.study));
-  TakeSegments(changed);
+  State changed = this->WithStudy(
+    WithVolume(*this->state.study, this->edited, WithoutLabels(*this->EditedStudy())));
+  TakeSegments(changed, this->edited);
   this->PushLabels(std::move(changed), name);
 }
 
@@ -198,7 +203,7 @@ void SceneModel::MoveOverlay(int from, int to, const QString& name)
 
 SceneModel::State SceneModel::WithStudy(std::shared_ptr<const Study> study) const
 {
-  return { std::move(study), this->state.scene, this->state.labelVersion };
+  return { std::move(study), this->state.scene };
 }
 
 void SceneModel::PushOverlays(State changed, const QString& name, int newEdited)
@@ -220,6 +225,23 @@ void SceneModel::SetEditedVolume(int volume)
 std::shared_ptr<const Study> SceneModel::EditedStudy() const
 {
   return this->edited == 0 ? this->state.study : this->state.study->overlays[this->edited - 1];
+}
+
+const std::optional<SceneLabels>& SceneModel::EditedLabels() const
+{
+  return SceneLabelsOf(this->state.scene, this->edited);
+}
+
+std::optional<int> SceneModel::VolumeOf(vtkImageData* image) const
+{
+  for (int volume = 0; volume < VolumeCount(this->state.scene); ++volume)
+  {
+    if (StudyOfVolume(*this->state.study, volume).volume.image == image)
+    {
+      return volume;
+    }
+  }
+  return {};
 }
 
 const Look& SceneModel::EditedLook() const
@@ -312,15 +334,17 @@ void SceneModel::TakeCounts(std::shared_ptr<const ImageStatistics> allTimes)
 }
 
 // The labels of the study have the appearance that the scene gave when they were loaded.
-void SceneModel::TakeSegments(State& taken)
+void SceneModel::TakeSegments(State& taken, int volume)
 {
-  if (!taken.study->labels)
+  const Study& study = StudyOfVolume(*taken.study, volume);
+  std::optional<SceneLabels>& labels = SceneLabelsOf(taken.scene, volume);
+  if (!study.labels)
   {
-    taken.scene.labels.reset();
+    labels.reset();
   }
-  else if (taken.scene.labels)
+  else if (labels)
   {
-    taken.scene.labels->segments = taken.study->labels->segments;
+    labels->segments = study.labels->segments;
   }
 }
 

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ inline bool IsOtherLookVolume(ScenePart part)
 /// The data behind the window: a volume and its scene as plain data. Panels edit the model and do
 /// not know each other; views observe it. Every edit is an undo step. The look's values are in
 /// units of the data. The scene's segments are those of the study's labels, in the same order.
+/// Volumes are numbered: 0 is the first, i the overlay i - 1.
 class SceneModel : public QObject
 {
   Q_OBJECT
@@ -94,32 +96,39 @@ public:
   /// Takes the counts of all times of the scan.
   void TakeCounts(std::shared_ptr<const ImageStatistics> allTimes);
 
-  /// Shows labels over the scan. This is an undo step.
-  /// @param labelled  the scan with these labels
-  void ShowLabels(
-    const SceneLabels& labels, const std::shared_ptr<const Study>& labelled, const QString& name);
+  /// Shows labels over a volume. This is an undo step.
+  /// @param labelled  the volume with these labels
+  void ShowLabels(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled,
+    const QString& name, int volume = 0);
 
-  /// Shows the scan without labels. This is an undo step.
+  /// Shows the edited volume without labels. This is an undo step.
   void CloseLabels(const QString& name);
 
-  /// Adds a segment without voxels, and labels if there are none. This is an undo step.
+  /// Adds a segment without voxels to the edited volume, and labels if there are none. This is an
+  /// undo step.
   void AddSegment(const QString& segmentName, const QString& name);
 
-  /// Changes voxels of the labels, which may have been changed already. This is an undo step, which
-  /// keeps the changed box and no copy of the labels.
+  /// Changes voxels of the edited volume's labels, which may have been changed already. This is an
+  /// undo step, which keeps the changed box and no copy of the labels.
   void ChangeLabels(const LabelChange& change, const QString& name);
 
-  /// Takes the file that the labels have been written to.
+  /// Takes the file that the labels of a volume have been written to.
   /// @param segments  of the scene, with the values that they have in the file
-  void TakeSavedLabels(
-    const std::string& path, const std::vector<Segment>& segments, const QString& name);
+  void TakeSavedLabels(const std::string& path, const std::vector<Segment>& segments,
+    const QString& name, int volume = 0);
 
-  /// True unless the file that the scene names holds the segments with these voxels, or there are
-  /// none.
-  bool HasUnsavedLabels() const;
+  /// True unless the file that the scene names holds the segments of a volume with these voxels, or
+  /// there are none.
+  bool HasUnsavedLabels(int volume = 0) const;
 
-  /// A number that is another one whenever the voxels of the labels are others.
-  int LabelVersion() const { return this->state.labelVersion; }
+  /// The first volume with such labels; empty without any.
+  std::optional<int> VolumeWithUnsavedLabels() const;
+
+  /// A number that is another one whenever the voxels of a volume's labels are others.
+  int LabelVersion(int volume) const;
+
+  /// The number of the volume with these voxels; empty if it is no longer shown.
+  std::optional<int> VolumeOf(vtkImageData* image) const;
 
   /// Draws a further volume over the others. This is an undo step, and the volume becomes the
   /// edited one. Requires fewer than MostVolumes.
@@ -132,13 +141,14 @@ public:
   /// Moves an overlay to another place in the list. This is an undo step.
   void MoveOverlay(int from, int to, const QString& name);
 
-  /// The volume whose look the panels edit: 0 is the first, i the overlay i - 1.
+  /// The volume whose look and segments the panels edit.
   int EditedVolume() const { return this->edited; }
   void SetEditedVolume(int volume);
 
   /// The edited volume and its look; the study is null before the first volume.
   std::shared_ptr<const Study> EditedStudy() const;
   const Look& EditedLook() const;
+  const std::optional<SceneLabels>& EditedLabels() const;
   /// The scene with the look of the edited volume.
   Scene EditedScene() const;
 
@@ -167,18 +177,17 @@ private:
   {
     std::shared_ptr<const Study> study;
     Scene scene;
-    int labelVersion = 0; ///< a number for the voxels of the labels, see versionsInFiles
   };
 
   /// The current scene with another study.
   State WithStudy(std::shared_ptr<const Study> study) const;
 
   static void TakeTime(State& taken);
-  static void TakeSegments(State& taken);
-  void TakeVersionOfFile(State& taken);
+  static void TakeSegments(State& taken, int volume);
+  void TakeVersionOfFile(State& taken, int volume);
   static void TakeOverlays(State& taken);
   void PushLabels(State changed, const QString& name);
-  void RenewLabels(LabelMap map);
+  void RenewLabels(int volume, LabelMap map, int version);
   void PushOverlays(State changed, const QString& name, int newEdited);
   void Replace(const std::vector<ScenePart>& parts, const State& newState);
 

@@ -2,6 +2,8 @@
 
 #include "Viewer/Model/SceneModel.h"
 
+#include "Scene/SceneVolumes.h"
+
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -27,6 +29,23 @@ LabelMap EmptyLabels(vtkImageData* scan)
   return map;
 }
 
+std::shared_ptr<const Study> WithVersion(Study study, int version)
+{
+  study.labelVersion = version;
+  return std::make_shared<const Study>(std::move(study));
+}
+
+// A value larger than those of all segments.
+int FreeValue(const std::vector<Segment>& segments)
+{
+  int value = 1;
+  for (const Segment& segment : segments)
+  {
+    value = std::max(value, segment.value + 1);
+  }
+  return value;
+}
+
 }
 
 // Studies of all states share the voxels of the labels. This is safe, because the history is a
@@ -38,7 +57,8 @@ public:
     : QUndoCommand(name)
     , model(model)
     , change(std::move(change))
-    , before(model->state.labelVersion)
+    , volume(model->edited)
+    , before(model->LabelVersion(model->edited))
     , after(++model->lastLabelVersion)
   {
   }
@@ -49,13 +69,14 @@ public:
 private:
   void Apply(bool isForward)
   {
-    varimarch::Apply(this->change, isForward, this->model->state.study->labels->image);
-    this->model->state.labelVersion = isForward ? this->after : this->before;
-    this->model->RenewLabels(*this->model->state.study->labels);
+    const LabelMap& labels = *StudyOfVolume(*this->model->state.study, this->volume).labels;
+    varimarch::Apply(this->change, isForward, labels.image);
+    this->model->RenewLabels(this->volume, labels, isForward ? this->after : this->before);
   }
 
   SceneModel* model;
   LabelChange change;
+  int volume;
   int before; ///< versions of the labels
   int after;
 };
@@ -66,78 +87,90 @@ void SceneModel::ChangeLabels(const LabelChange& change, const QString& name)
 }
 
 // The sizes and statistics of the segments are counted anew.
-void SceneModel::RenewLabels(LabelMap map)
+void SceneModel::RenewLabels(int volume, LabelMap map, int version)
 {
   map.sizes = SizesOf(map.image, map.segments.size());
-  this->state.study = WithLabels(*this->state.study, std::move(map));
+  const auto labelled = WithLabels(StudyOfVolume(*this->state.study, volume), std::move(map));
+  this->state.study = WithVolume(*this->state.study, volume, WithVersion(*labelled, version));
   emit this->Changed(ScenePart::Labels);
 }
 
 void SceneModel::AddSegment(const QString& segmentName, const QString& name)
 {
-  LabelMap map = this->state.study->labels ? *this->state.study->labels
-                                           : EmptyLabels(this->state.study->volume.image);
-  int value = 1;
-  for (const Segment& segment : map.segments)
+  const Study& study = *this->EditedStudy();
+  LabelMap map = study.labels ? *study.labels : EmptyLabels(study.volume.image);
+  State changed = this->WithStudy(nullptr);
+  std::optional<SceneLabels>& labels = SceneLabelsOf(changed.scene, this->edited);
+  if (!labels)
   {
-    value = std::max(value, segment.value + 1);
+    labels = SceneLabels();
   }
-  // They can have other values in the file that they were saved to.
-  if (this->state.scene.labels)
-  {
-    for (const Segment& segment : this->state.scene.labels->segments)
-    {
-      value = std::max(value, segment.value + 1);
-    }
-  }
+  // Segments can have other values in the file that they were saved to.
+  const int value = std::max(FreeValue(map.segments), FreeValue(labels->segments));
   const Segment added = { value, segmentName.toStdString(), ColorOfLabel(value) };
   map.segments.push_back(added);
   map.sizes.emplace_back();
-  State changed = this->WithStudy(WithLabels(*this->state.study, std::move(map)));
-  changed.labelVersion = ++this->lastLabelVersion;
-  if (!changed.scene.labels)
-  {
-    changed.scene.labels = SceneLabels();
-  }
-  changed.scene.labels->segments.push_back(added);
+  labels->segments.push_back(added);
+  const auto labelled = WithLabels(study, std::move(map));
+  changed.study =
+    WithVolume(*this->state.study, this->edited, WithVersion(*labelled, ++this->lastLabelVersion));
   this->PushLabels(std::move(changed), name);
 }
 
 void SceneModel::TakeSavedLabels(
-  const std::string& path, const std::vector<Segment>& segments, const QString& name)
+  const std::string& path, const std::vector<Segment>& segments, const QString& name, int volume)
 {
   this->Edit(ScenePart::Segments, name,
     [&](Scene& scene) {
-      scene.labels = { path, {}, segments };
+      SceneLabelsOf(scene, volume) = { path, {}, segments };
     });
-  this->versionsInFiles[path] = this->state.labelVersion;
+  this->versionsInFiles[path] = this->LabelVersion(volume);
 }
 
-bool SceneModel::HasUnsavedLabels() const
+int SceneModel::LabelVersion(int volume) const
 {
-  const auto& labels = this->state.scene.labels;
+  return StudyOfVolume(*this->state.study, volume).labelVersion;
+}
+
+bool SceneModel::HasUnsavedLabels(int volume) const
+{
+  const auto& labels = SceneLabelsOf(this->state.scene, volume);
   if (!labels)
   {
     return false;
   }
   const auto inFile = this->versionsInFiles.find(labels->path);
-  return inFile == this->versionsInFiles.end() || inFile->second != this->state.labelVersion;
+  return inFile == this->versionsInFiles.end() || inFile->second != this->LabelVersion(volume);
+}
+
+std::optional<int> SceneModel::VolumeWithUnsavedLabels() const
+{
+  for (int volume = 0; volume < VolumeCount(this->state.scene); ++volume)
+  {
+    if (this->HasUnsavedLabels(volume))
+    {
+      return volume;
+    }
+  }
+  return {};
 }
 
 // The labels have just been read from the file that the scene names. Without a name they were in no
 // file of the user's.
-void SceneModel::TakeVersionOfFile(State& taken)
+void SceneModel::TakeVersionOfFile(State& taken, int volume)
 {
-  if (!taken.scene.labels)
+  const std::optional<SceneLabels>& labels = SceneLabelsOf(taken.scene, volume);
+  if (!labels)
   {
     return;
   }
-  const std::string& path = taken.scene.labels->path;
-  taken.labelVersion = ++this->lastLabelVersion;
-  if (!path.empty())
+  int version = ++this->lastLabelVersion;
+  if (!labels->path.empty())
   {
-    taken.labelVersion = this->versionsInFiles.try_emplace(path, taken.labelVersion).first->second;
+    version = this->versionsInFiles.try_emplace(labels->path, version).first->second;
   }
+  taken.study =
+    WithVolume(*taken.study, volume, WithVersion(StudyOfVolume(*taken.study, volume), version));
 }
 
 }

@@ -1,5 +1,8 @@
 #include "Viewer/Model/SegmentEditor.h"
 
+#include "Scene/Placing.h"
+#include "Scene/SceneVolumes.h"
+
 #include <utility>
 
 namespace varimarch
@@ -12,7 +15,7 @@ SegmentEditor::SegmentEditor(SceneModel* model, QObject* parent)
   connect(model, &SceneModel::Changed, this,
     [this](ScenePart part)
     {
-      if (part == ScenePart::Volume || part == ScenePart::Labels)
+      if (IsOtherLookVolume(part) || part == ScenePart::Labels)
       {
         this->TakeBackStroke();
       }
@@ -27,13 +30,20 @@ void SegmentEditor::SetTool(SegmentTool newTool)
 
 bool SegmentEditor::HasSegment() const
 {
-  const auto& labels = this->model->CurrentScene().labels;
+  const auto& labels = this->model->EditedLabels();
   return labels && this->segment >= 0 && this->segment < int(labels->segments.size());
 }
 
 vtkImageData* SegmentEditor::Numbers() const
 {
-  return this->model->CurrentStudy()->labels->image;
+  return this->model->EditedStudy()->labels->image;
+}
+
+// Points are in world space, where the edited volume may have been moved to. The voxels are shared.
+vtkSmartPointer<vtkImageData> SegmentEditor::Placed(vtkImageData* image) const
+{
+  return varimarch::Placed(
+    image, PlacementOf(this->model->CurrentScene(), this->model->EditedVolume()));
 }
 
 void SegmentEditor::Change(const LabelChange& change, const QString& name)
@@ -52,7 +62,7 @@ void SegmentEditor::Change(const LabelChange& change, const QString& name)
 void SegmentEditor::AddRegion(const std::array<double, 3>& pointMm)
 {
   this->Change(ConnectedRegion(this->Numbers(), this->Number(),
-                 this->model->CurrentStudy()->volume.image, pointMm, this->range),
+                 this->Placed(this->model->EditedStudy()->volume.image), pointMm, this->range),
     tr("add a region"));
 }
 
@@ -86,9 +96,10 @@ void SegmentEditor::Drag(const std::array<double, 3>& pointMm)
 void SegmentEditor::Brush(const std::array<double, 3>& toMm)
 {
   const BrushStroke line = { this->lastMm, toMm, this->normal, this->radiusMm };
+  const auto placed = this->Placed(this->stroked);
   const LabelChange change = this->tool == SegmentTool::Erase
-    ? Erased(this->stroked, this->Number(), line)
-    : Painted(this->stroked, this->Number(), line);
+    ? Erased(placed, this->Number(), line)
+    : Painted(placed, this->Number(), line);
   Apply(change, true, this->stroked);
   this->stroke = Joined(this->stroke, change, this->stroked);
   this->lastMm = toMm;

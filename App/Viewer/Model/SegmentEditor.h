@@ -23,9 +23,9 @@ enum class SegmentTool
   Erase,  ///< slices only
 };
 
-/// Edits the voxels of one segment of the model. The panel chooses the segment and the tool, and
-/// views pass on the places that the user clicks. A stroke, from press to release, is one undo
-/// step. It is taken back if its labels are replaced meanwhile.
+/// Edits the voxels of one segment of the volume that the model edits. The panel chooses the
+/// segment and the tool, and views pass on the places that the user clicks. A stroke, from press to
+/// release, is one undo step. It is taken back if its labels are replaced meanwhile.
 class SegmentEditor : public QObject
 {
   Q_OBJECT
@@ -36,7 +36,7 @@ public:
   SegmentTool Tool() const { return this->tool; }
   void SetTool(SegmentTool newTool);
 
-  /// The edited segment, as an index in the scene's segments.
+  /// The edited segment, as an index in the segments of the volume.
   void SetSegment(int index) { this->segment = index; }
   /// Smallest and largest value of a region.
   void SetRange(const std::array<double, 2>& newRange) { this->range = newRange; }
@@ -73,6 +73,7 @@ signals:
 private:
   bool HasSegment() const;
   vtkImageData* Numbers() const;
+  vtkSmartPointer<vtkImageData> Placed(vtkImageData* image) const;
   int Number() const { return this->segment + 1; }
   void Change(const LabelChange& change, const QString& name);
   void Brush(const std::array<double, 3>& toMm);

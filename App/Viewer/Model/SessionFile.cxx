@@ -3,6 +3,7 @@
 #include "Scene/OutputFile.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/SegmentFiles.h"
 
 #include <vtkImageData.h>
@@ -100,9 +101,7 @@ Autosave::Autosave(SceneModel* model, const QString& folder, QObject* parent)
     {
       if (part == ScenePart::Volume)
       {
-        // The segments on the disk are of another scan.
-        ++this->volume;
-        this->savedLabels = 0;
+        this->saved = {}; // the segments on the disk are of another scan
       }
       if (!this->delay.isActive())
       {
@@ -133,29 +132,49 @@ bool Autosave::HasCopy() const
   return QFile::exists(this->path);
 }
 
-QString Autosave::SegmentsPath() const
+QString Autosave::SegmentsPath(int volume) const
 {
-  return this->path.isEmpty() ? QString() : this->path.chopped(int(qstrlen(".json"))) + ".seg.nrrd";
+  const QString number = volume == 0 ? QString() : QStringLiteral(".volume%1").arg(volume + 1);
+  return this->path.isEmpty() ? QString()
+                              : this->path.chopped(int(qstrlen(".json"))) + number + ".seg.nrrd";
 }
 
 void Autosave::Remove()
 {
   this->delay.stop();
   this->segmentWriting.Cancel();
-  this->savedLabels = 0;
   QFile::remove(this->path);
-  QFile::remove(this->SegmentsPath());
+  for (int volume = 0; volume < int(MostVolumes); ++volume)
+  {
+    this->RemoveSegments(volume);
+  }
+}
+
+void Autosave::RemoveSegments(int volume)
+{
+  QFile::remove(this->SegmentsPath(volume));
+  this->saved[volume] = {};
 }
 
 void Autosave::Save()
 {
-  if (this->path.isEmpty())
+  if (!this->path.isEmpty())
   {
-    return;
+    this->SaveFrom(0);
   }
-  if (this->model->HasUnsavedLabels() && this->model->LabelVersion() != this->savedLabels)
+}
+
+// Saves the segments of this volume and of those after it, one after another, then the scene.
+void Autosave::SaveFrom(int volume)
+{
+  while (volume < VolumeCount(this->model->CurrentScene()) &&
+    (!this->model->HasUnsavedLabels(volume) || this->IsSaved(volume)))
   {
-    this->SaveSegments();
+    ++volume;
+  }
+  if (volume < VolumeCount(this->model->CurrentScene()))
+  {
+    this->SaveSegments(volume);
   }
   else
   {
@@ -163,19 +182,25 @@ void Autosave::Save()
   }
 }
 
+bool Autosave::IsSaved(int volume) const
+{
+  return this->saved[volume].version == this->model->LabelVersion(volume);
+}
+
 // Voxels are edited where they are, so the thread has a copy of them.
-void Autosave::SaveSegments()
+void Autosave::SaveSegments(int volume)
 {
   if (this->segmentWriting.IsRunning())
   {
     this->delay.start();
     return;
   }
+  const Study& study = StudyOfVolume(*this->model->CurrentStudy(), volume);
   LabelMap labels;
   labels.image = vtkSmartPointer<vtkImageData>::New();
   try
   {
-    labels.image->DeepCopy(this->model->CurrentStudy()->labels->image);
+    labels.image->DeepCopy(study.labels->image);
   }
   catch (const std::bad_alloc&)
   {
@@ -183,8 +208,8 @@ void Autosave::SaveSegments()
     return;
   }
   this->segmentWriting.Start(
-    [labels, segments = this->model->CurrentScene().labels->segments,
-      file = this->SegmentsPath().toStdString()](const TaskProgress& progress)
+    [labels, segments = SceneLabelsOf(this->model->CurrentScene(), volume)->segments,
+      file = this->SegmentsPath(volume).toStdString()](const TaskProgress& progress)
     {
       WriteSegments(labels, segments, {}, file);
       // The copy may have been removed meanwhile, because the program ends.
@@ -193,26 +218,37 @@ void Autosave::SaveSegments()
         QFile::remove(QString::fromStdString(file));
       }
     },
-    [this, version = this->model->LabelVersion(), ofVolume = this->volume]
+    [this, volume, version = study.labelVersion,
+      numbers = vtkWeakPointer<vtkImageData>(study.labels->image)]
     {
-      this->savedLabels = ofVolume == this->volume ? version : 0;
-      this->SaveScene();
+      this->saved[volume] = { numbers, version };
+      this->SaveFrom(volume + 1);
     });
 }
 
-// The scene names the file of its segments that is nearest to what is shown.
+// A scene names the file of its segments that is nearest to what is shown.
+void Autosave::NameSegments(Scene& scene, int volume) const
+{
+  auto& labels = SceneLabelsOf(scene, volume);
+  const auto& shown = StudyOfVolume(*this->model->CurrentStudy(), volume).labels;
+  if (labels && this->model->HasUnsavedLabels(volume) && this->saved[volume].numbers &&
+    this->saved[volume].numbers.Get() == shown->image)
+  {
+    labels->path = this->SegmentsPath(volume).toStdString();
+    labels->series.clear();
+  }
+  else if (labels && labels->path.empty())
+  {
+    labels.reset(); // they are in no file
+  }
+}
+
 void Autosave::SaveScene()
 {
   Scene scene = this->model->CurrentScene();
-  const bool needsSegments = this->model->HasUnsavedLabels() && this->savedLabels > 0;
-  if (needsSegments)
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
-    scene.labels->path = this->SegmentsPath().toStdString();
-    scene.labels->series.clear();
-  }
-  else if (scene.labels && scene.labels->path.empty())
-  {
-    scene.labels.reset(); // they are in no file
+    this->NameSegments(scene, volume);
   }
   try
   {
@@ -223,10 +259,12 @@ void Autosave::SaveScene()
     // A failed backup is not worth an error message at every edit.
     return;
   }
-  if (!this->model->HasUnsavedLabels() && !this->segmentWriting.IsRunning())
+  for (int volume = 0; volume < int(MostVolumes) && !this->segmentWriting.IsRunning(); ++volume)
   {
-    QFile::remove(this->SegmentsPath());
-    this->savedLabels = 0;
+    if (volume >= VolumeCount(scene) || !this->model->HasUnsavedLabels(volume))
+    {
+      this->RemoveSegments(volume);
+    }
   }
 }
 

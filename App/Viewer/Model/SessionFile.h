@@ -9,6 +9,10 @@
 #include <QString>
 #include <QTimer>
 
+#include <vtkImageData.h>
+#include <vtkWeakPointer.h>
+
+#include <array>
 #include <memory>
 
 namespace varimarch
@@ -39,8 +43,9 @@ public:
   bool HasCopy() const;
   /// The copy of this program; empty if the folder cannot be written to.
   QString Path() const { return this->path; }
-  /// The file of the segments that belong to the copy; empty if the folder cannot be written to.
-  QString SegmentsPath() const;
+  /// The file of the segments of a volume that belong to the copy; empty if the folder cannot be
+  /// written to.
+  QString SegmentsPath(int volume = 0) const;
 
   /// Saves now, instead of two seconds after an edit. Segments with new voxels follow soon.
   void Save();
@@ -50,16 +55,26 @@ public:
 
 private:
   bool TryToLock(const QString& copy);
-  void SaveSegments();
+  void SaveFrom(int volume);
+  void SaveSegments(int volume);
   void SaveScene();
+  void NameSegments(Scene& scene, int volume) const;
+  bool IsSaved(int volume) const;
+  void RemoveSegments(int volume);
+
+  /// The labels that are in the file of a volume's segments.
+  struct SavedLabels
+  {
+    vtkWeakPointer<vtkImageData> numbers; ///< null if there is no file
+    int version = 0;
+  };
 
   SceneModel* model;
   QString path;
   std::unique_ptr<QLockFile> lock;
   QTimer delay;
   BackgroundTask segmentWriting;
-  int volume = 0;      ///< a number for the volume
-  int savedLabels = 0; ///< version of the volume's labels in the file; 0: it has none of them
+  std::array<SavedLabels, MostVolumes> saved;
 };
 
 }

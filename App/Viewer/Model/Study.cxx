@@ -76,14 +76,31 @@ std::shared_ptr<const Study> WithOverlaysOf(
   return std::make_shared<const Study>(std::move(withOverlays));
 }
 
-std::vector<vtkSmartPointer<vtkImageData>> OverlayImages(const Study& study)
+std::vector<OverlayVoxels> VoxelsOfOverlays(const Study& study)
 {
-  std::vector<vtkSmartPointer<vtkImageData>> images;
+  std::vector<OverlayVoxels> voxels;
   for (const auto& overlay : study.overlays)
   {
-    images.push_back(overlay->volume.image);
+    voxels.push_back({ overlay->volume.image, overlay->labels });
   }
-  return images;
+  return voxels;
+}
+
+const Study& StudyOfVolume(const Study& first, int volume)
+{
+  return volume == 0 ? first : *first.overlays[volume - 1];
+}
+
+std::shared_ptr<const Study> WithVolume(
+  const Study& first, int volume, std::shared_ptr<const Study> changed)
+{
+  if (volume == 0)
+  {
+    return WithOverlaysOf(first, changed);
+  }
+  Study study = first;
+  study.overlays[volume - 1] = std::move(changed);
+  return std::make_shared<const Study>(std::move(study));
 }
 
 }

@@ -3,6 +3,7 @@
 
 #include "Scene/ImageStatistics.h"
 #include "Scene/LabelMap.h"
+#include "Scene/SceneOverlays.h"
 #include "Scene/SegmentStatistics.h"
 #include "Scene/VolumeLoading.h"
 
@@ -20,6 +21,7 @@ struct Study
   LoadedVolume volume;
   ImageStatistics statistics; ///< counts of the volume at the time when it was opened
   std::shared_ptr<const LabelMap> labels = {}; ///< null without a segmentation
+  int labelVersion = 0; ///< a number for the voxels of the labels, see SceneModel::LabelVersion
   std::vector<RegionStatistics>
     segmentStatistics = {}; ///< the volume in each segment of the labels
   /// The volumes over this one, in the order of the scene's overlays.
@@ -44,8 +46,15 @@ std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTim
 std::shared_ptr<const Study> WithOverlaysOf(
   const Study& scan, const std::shared_ptr<const Study>& form);
 
-/// The images of the overlays, as ScenePipeline::SetOverlays takes them.
-std::vector<vtkSmartPointer<vtkImageData>> OverlayImages(const Study& study);
+/// The voxels of the overlays, as ScenePipeline::SetOverlays takes them.
+std::vector<OverlayVoxels> VoxelsOfOverlays(const Study& study);
+
+/// The study of a volume: 0 is the first, i the overlay i - 1.
+const Study& StudyOfVolume(const Study& first, int volume);
+
+/// The same volumes with another study of one of them.
+std::shared_ptr<const Study> WithVolume(
+  const Study& first, int volume, std::shared_ptr<const Study> changed);
 
 /// The same volume with other labels.
 std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels);

@@ -46,12 +46,17 @@ LoadedVolume LoadWithinMemory(const VolumeSource& source, const LoadObserver& ob
   return LoadVolume(file ? WithinMemory(*file) : source, observe);
 }
 
+Study StudyWithoutLabels(LoadedVolume volume)
+{
+  ImageStatistics statistics(volume.image);
+  return { std::move(volume), std::move(statistics) };
+}
+
 // The volume as a study, with labels over it. Labels that cannot be read do not lose the volume.
 std::shared_ptr<const Study> StudyOf(LoadedVolume volume, const std::string& path,
   const std::optional<SceneLabels>& labels, const LoadObserver& observe)
 {
-  ImageStatistics statistics(volume.image);
-  Study study = { std::move(volume), std::move(statistics) };
+  Study study = StudyWithoutLabels(std::move(volume));
   try
   {
     if (labels)
@@ -72,6 +77,15 @@ std::shared_ptr<const Study> StudyOf(LoadedVolume volume, const std::string& pat
   return std::make_shared<const Study>(std::move(study));
 }
 
+// The volume over another one. It is drawn by its look even if its values are labels.
+std::shared_ptr<const Study> OverlayStudy(
+  const OverlaidVolume& overlay, const LoadObserver& observe)
+{
+  LoadedVolume volume = LoadWithinMemory(overlay.source, observe);
+  return overlay.labels ? StudyOf(std::move(volume), {}, overlay.labels, observe)
+                        : std::make_shared<const Study>(StudyWithoutLabels(std::move(volume)));
+}
+
 // The volume with others over it. One that cannot be read is null.
 std::shared_ptr<const Study> WithOverlays(const std::shared_ptr<const Study>& first,
   const std::vector<OverlaidVolume>& overlays, const LoadObserver& observe)
@@ -82,10 +96,7 @@ std::shared_ptr<const Study> WithOverlays(const std::shared_ptr<const Study>& fi
     study.overlays.emplace_back();
     try
     {
-      LoadedVolume volume = LoadWithinMemory(overlay.source, observe);
-      ImageStatistics statistics(volume.image);
-      study.overlays.back() =
-        std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+      study.overlays.back() = OverlayStudy(overlay, observe);
     }
     catch (const std::runtime_error& reason)
     {

@@ -45,9 +45,12 @@ WarningBar::WarningBar(QWidget* parent)
 QStringList WarningBar::TextsOf(const Study& study)
 {
   std::vector<std::string> warnings = study.volume.warnings;
-  if (study.labels)
+  for (int volume = 0; volume <= int(study.overlays.size()); ++volume)
   {
-    warnings.insert(warnings.end(), study.labels->warnings.begin(), study.labels->warnings.end());
+    if (const auto& labels = StudyOfVolume(study, volume).labels)
+    {
+      warnings.insert(warnings.end(), labels->warnings.begin(), labels->warnings.end());
+    }
   }
   QStringList texts;
   for (const std::string& warning : warnings)

@@ -42,7 +42,7 @@ SegmentEditingBox::SegmentEditingBox(SceneModel* model, SegmentEditor* editor, Q
   connect(added, &QPushButton::clicked, this,
     [this]
     {
-      const auto& labels = this->model->CurrentScene().labels;
+      const auto& labels = this->model->EditedLabels();
       const std::size_t count = labels ? labels->segments.size() : 0;
       if (count < MostLabels)
       {
@@ -160,16 +160,16 @@ void SegmentEditingBox::MakeActions(QGridLayout* grid)
 
 void SegmentEditingBox::Show(ScenePart part)
 {
-  if (part != ScenePart::Volume && part != ScenePart::Labels && part != ScenePart::Segments)
+  if (!IsOtherLookVolume(part) && part != ScenePart::Labels && part != ScenePart::Segments)
   {
     return;
   }
-  const auto& labels = this->model->CurrentScene().labels;
+  const auto& labels = this->model->EditedLabels();
   this->setEnabled(true);
   this->edits->setVisible(labels && !labels->segments.empty());
-  if (part == ScenePart::Volume)
+  if (IsOtherLookVolume(part))
   {
-    const Study& study = *this->model->CurrentStudy();
+    const Study& study = *this->model->EditedStudy();
     const QSignalBlocker quiet[] = { QSignalBlocker(this->smallest),
       QSignalBlocker(this->largest) };
     this->smallest->setValue(

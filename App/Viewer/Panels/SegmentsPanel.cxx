@@ -2,10 +2,12 @@
 
 #include "Scene/OutputFile.h"
 #include "Scene/ScenePipeline.h"
+#include "Scene/SceneVolumes.h"
 #include "Viewer/LiveColorDialog.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/Panels/NumberSlider.h"
+#include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/SaveDialog.h"
 
 #include <QColorDialog>
@@ -57,12 +59,15 @@ QIcon Swatch(const QColor& color)
 SegmentsPanel::SegmentsPanel(SceneModel* model, QWidget* parent)
   : QWidget(parent)
   , model(model)
+  , volume(new QLabel)
   , hint(new QLabel(tr("A segmentation of this scan colours its regions: a DICOM segmentation, a "
                        "segmentation of 3D Slicer, or a label map in NRRD, NIfTI or another "
                        "format.")))
   , all(new QWidget)
   , note(new QLabel)
 {
+  this->volume->setWordWrap(true);
+  this->volume->setObjectName("volumeOfSegments");
   this->hint->setWordWrap(true);
   this->note->setWordWrap(true);
   this->note->setObjectName("note");
@@ -75,6 +80,7 @@ SegmentsPanel::SegmentsPanel(SceneModel* model, QWidget* parent)
   column->addWidget(this->table, 1);
   column->addWidget(this->MakeControls());
   auto* const layout = new QVBoxLayout(this);
+  layout->addWidget(this->volume);
   layout->addWidget(this->hint);
   layout->addWidget(open);
   layout->addWidget(this->all, 1);
@@ -136,8 +142,9 @@ QWidget* SegmentsPanel::MakeControls()
 
 void SegmentsPanel::Show(ScenePart part)
 {
-  if (part == ScenePart::Look)
+  if (part == ScenePart::Look || part == ScenePart::Overlays)
   {
+    this->ShowVolume();
     this->ShowNote();
     return;
   }
@@ -150,12 +157,17 @@ void SegmentsPanel::Show(ScenePart part)
     }
     return;
   }
-  if (part != ScenePart::Volume && part != ScenePart::Labels && part != ScenePart::Segments)
+  if (!IsOtherLookVolume(part) && part != ScenePart::Labels && part != ScenePart::Segments)
   {
     return;
   }
+  if (part == ScenePart::EditedVolume)
+  {
+    this->table->setRowCount(0); // a row of another volume is not selected
+  }
   this->setEnabled(true);
-  const bool hasLabels = this->model->CurrentScene().labels.has_value();
+  this->ShowVolume();
+  const bool hasLabels = this->model->EditedLabels().has_value();
   this->hint->setVisible(!hasLabels);
   this->all->setVisible(hasLabels);
   this->ShowNote();
@@ -171,7 +183,7 @@ void SegmentsPanel::Show(ScenePart part)
 
 void SegmentsPanel::ShowHeader()
 {
-  const bool isCt = this->model->CurrentStudy()->volume.modality == "CT";
+  const bool isCt = this->model->EditedStudy()->volume.modality == "CT";
   const auto withUnit = [isCt](const QString& name)
   { return isCt ? name + '\n' + tr("HU") : name; };
   this->table->setHorizontalHeaderLabels({ tr("Segment"), tr("Volume\nml"), withUnit(tr("Mean")),
@@ -181,7 +193,7 @@ void SegmentsPanel::ShowHeader()
 // Keeps the items, and with them the selection; a segment that is added is selected.
 void SegmentsPanel::ShowRows()
 {
-  const std::vector<Segment>& segments = this->model->CurrentScene().labels->segments;
+  const std::vector<Segment>& segments = this->model->EditedLabels()->segments;
   const QSignalBlocker quiet(this->table);
   const int rowsBefore = this->table->rowCount();
   this->table->setRowCount(int(segments.size()));
@@ -207,7 +219,7 @@ void SegmentsPanel::ShowRows()
 
 void SegmentsPanel::ShowStatistics(int row)
 {
-  const Study& study = *this->model->CurrentStudy();
+  const Study& study = *this->model->EditedStudy();
   const RegionStatistics& region = study.segmentStatistics[row];
   const double ml = region.volumeMm3 / Mm3PerMl;
   // Data without units may lie between 0 and 1.
@@ -244,24 +256,41 @@ void SegmentsPanel::ShowSelected()
   this->color->setEnabled(isSelected);
   if (isSelected)
   {
-    this->opacity->SetNumber(this->model->CurrentScene().labels->segments[row].opacity);
+    this->opacity->SetNumber(this->model->EditedLabels()->segments[row].opacity);
   }
 }
 
+void SegmentsPanel::ShowVolume()
+{
+  const Scene& scene = this->model->CurrentScene();
+  this->volume->setText(
+    tr("Segments of %1").arg(VolumesPanel::TitleOf(scene, this->model->EditedVolume())));
+  this->volume->setVisible(!scene.overlays.empty());
+}
+
+// Among several volumes each segmentation is drawn as one more.
 void SegmentsPanel::ShowNote()
 {
-  const Look& look = this->model->CurrentScene().look;
+  const Scene& scene = this->model->CurrentScene();
+  if (!scene.overlays.empty())
+  {
+    this->note->setText(
+      tr("The volume shows at most %1 scans and segmentations together; not all fit.")
+        .arg(MostVolumes));
+    this->note->setVisible(!AreAllSegmentsDrawn(scene));
+    return;
+  }
   vtkImageData* const image = this->model->CurrentStudy()->volume.image;
   this->note->setText(image->GetNumberOfScalarComponents() == 1
       ? tr("The volume shows segments only with the blend mode Composite.")
       : tr("The volume cannot show segments, since its voxels have several values."));
-  this->note->setVisible(!CanDrawLabels(MapperKind::Varimarch, look.blend, image));
+  this->note->setVisible(!CanDrawLabels(MapperKind::Varimarch, scene.look.blend, image));
 }
 
 // The user renamed a segment, or showed or hid it.
 void SegmentsPanel::TakeItem(const QTableWidgetItem* item)
 {
-  const Segment& segment = this->model->CurrentScene().labels->segments[item->row()];
+  const Segment& segment = this->model->EditedLabels()->segments[item->row()];
   const bool isShown = item->checkState() == Qt::Checked;
   const std::string name = item->text().trimmed().toStdString();
   const QString step = isShown == segment.visible ? tr("rename")
@@ -285,9 +314,10 @@ void SegmentsPanel::Edit(
     ScenePart::Segments, step,
     [&](Scene& scene)
     {
-      for (std::size_t row = 0; row < scene.labels->segments.size(); ++row)
+      auto& segments = SceneLabelsOf(scene, this->model->EditedVolume())->segments;
+      for (std::size_t row = 0; row < segments.size(); ++row)
       {
-        change(scene.labels->segments[row], int(row));
+        change(segments[row], int(row));
       }
     },
     gesture);
@@ -312,7 +342,7 @@ void SegmentsPanel::SetOpacity(double number, int gesture)
 void SegmentsPanel::ChooseColor()
 {
   const int chosen = this->table->currentRow();
-  const glm::dvec3 before = this->model->CurrentScene().labels->segments[chosen].rgb;
+  const glm::dvec3 before = this->model->EditedLabels()->segments[chosen].rgb;
   const auto edit = [this, chosen, gesture = NewGesture()](const glm::dvec3& rgb)
   {
     this->Edit(
@@ -339,8 +369,7 @@ void SegmentsPanel::SaveStatistics()
   try
   {
     WriteFileWhole(path.toStdString(),
-      CsvOf(this->model->CurrentScene().labels->segments,
-        this->model->CurrentStudy()->segmentStatistics));
+      CsvOf(this->model->EditedLabels()->segments, this->model->EditedStudy()->segmentStatistics));
     emit this->Saved(path);
   }
   catch (const std::exception& problem)

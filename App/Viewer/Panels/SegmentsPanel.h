@@ -17,8 +17,8 @@ namespace varimarch
 
 class NumberSlider;
 
-/// The segments of the segmentation over the scan: their names, colours and opacities, which of
-/// them are shown, and the values of the scan in each.
+/// The segments of the segmentation over the volume that the model edits: their names, colours and
+/// opacities, which of them are shown, and the values of the volume in each.
 class SegmentsPanel : public QWidget
 {
   Q_OBJECT
@@ -41,6 +41,7 @@ private:
   void ShowRows();
   void ShowStatistics(int row);
   void ShowSelected();
+  void ShowVolume();
   void ShowNote();
   QTableWidgetItem* Item(int row, int column);
   void TakeItem(const QTableWidgetItem* item);
@@ -52,9 +53,10 @@ private:
   void SaveStatistics();
 
   SceneModel* model;
-  QLabel* hint; ///< shown without segments
-  QWidget* all; ///< everything else
-  QLabel* note; ///< says why the 3D view shows no segments
+  QLabel* volume; ///< names the volume if there are several
+  QLabel* hint;   ///< shown without segments
+  QWidget* all;   ///< everything else
+  QLabel* note;   ///< says why the 3D view shows no segments
   QTableWidget* table;
   NumberSlider* opacity;
   QPushButton* color;

@@ -1,5 +1,6 @@
 #include "Viewer/Panels/VolumesPanel.h"
 
+#include "Scene/SceneVolumes.h"
 #include "Viewer/Panels/NumberSlider.h"
 
 #include <QComboBox>
@@ -47,13 +48,19 @@ QDoubleSpinBox* NewNumber(const QString& name, double largest, const QString& su
 
 }
 
+QString VolumesPanel::TitleOf(const Scene& scene, int volume)
+{
+  const std::string name = volume == 0 ? std::string() : scene.overlays[volume - 1].name;
+  return name.empty() ? NameOfSource(VolumeSourceOf(scene, volume)) : QString::fromStdString(name);
+}
+
 VolumesPanel::VolumesPanel(SceneModel* model, QWidget* parent)
   : QWidget(parent)
   , model(model)
   , list(new QListWidget)
   , note(
-      new QLabel(tr("Several volumes are drawn together as composites, without segments, shadows "
-                    "and ambient occlusion.")))
+      new QLabel(tr("Several volumes are drawn together as composites, without shadows and ambient "
+                    "occlusion.")))
 {
   this->note->setWordWrap(true);
   this->note->setObjectName("note");
@@ -202,14 +209,18 @@ void VolumesPanel::ShowRows()
   const QSignalBlocker quiet(this->list);
   this->list->clear();
   const QString modality = QString::fromStdString(this->model->CurrentStudy()->volume.modality);
-  this->list->addItem((modality + ' ' + NameOfSource(scene.volume)).trimmed());
-  for (const OverlaidVolume& overlay : scene.overlays)
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
-    const QString name = QString::fromStdString(overlay.name);
-    auto* const item =
-      new QListWidgetItem(name.isEmpty() ? NameOfSource(overlay.source) : name, this->list);
-    item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
-    item->setCheckState(overlay.visible ? Qt::Checked : Qt::Unchecked);
+    auto* const item = new QListWidgetItem(TitleOf(scene, volume), this->list);
+    if (volume == 0)
+    {
+      item->setText((modality + ' ' + item->text()).trimmed());
+    }
+    else
+    {
+      item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+      item->setCheckState(scene.overlays[volume - 1].visible ? Qt::Checked : Qt::Unchecked);
+    }
   }
   this->list->setCurrentRow(this->model->EditedVolume());
 }

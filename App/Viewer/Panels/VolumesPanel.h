@@ -31,6 +31,9 @@ class VolumesPanel : public QWidget
 public:
   explicit VolumesPanel(SceneModel* model, QWidget* parent = nullptr);
 
+  /// The name of a volume of a scene, or that of its file.
+  static QString TitleOf(const Scene& scene, int volume);
+
 signals:
   void AddWanted();
   /// @param overlay  the index in the scene's overlays

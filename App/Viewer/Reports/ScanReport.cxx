@@ -3,6 +3,7 @@
 #include "Scene/MeasureKinds.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneNames.h"
+#include "Scene/SceneVolumes.h"
 #include "Viewer/Model/KeyImageTexts.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/NumberText.h"
@@ -125,16 +126,18 @@ QString MeasureRows(const Scene& scene, const Study& study)
 }
 
 // Unlike the names of measurements, those of segments are needed, and usually anatomy.
-QString SegmentTable(const Scene& scene, const Study& study)
+QString SegmentTable(const Scene& scene, const Study& first, int volume)
 {
-  if (!scene.labels)
+  const auto& labels = SceneLabelsOf(scene, volume);
+  if (!labels)
   {
     return {};
   }
+  const Study& study = StudyOfVolume(first, volume);
   QString rows;
-  for (std::size_t i = 0; i < scene.labels->segments.size(); ++i)
+  for (std::size_t i = 0; i < labels->segments.size(); ++i)
   {
-    const Segment& segment = scene.labels->segments[i];
+    const Segment& segment = labels->segments[i];
     const QColor color = QColor::fromRgbF(segment.rgb.r, segment.rgb.g, segment.rgb.b);
     const QString name = QString::fromStdString(segment.name).toHtmlEscaped();
     QString text = RegionText(study.segmentStatistics[i], study.volume).toHtmlEscaped();
@@ -142,7 +145,19 @@ QString SegmentTable(const Scene& scene, const Study& study)
                            "<td>&nbsp;%2&nbsp;&nbsp;</td><td>%3</td></tr>")
               .arg(color.name(), name, text.replace('\n', "<br>"));
   }
-  return QStringLiteral("<h3>%1</h3><table>%2</table>").arg(ReportTexts::tr("Segments"), rows);
+  const QString title = volume == 0 ? ReportTexts::tr("Segments")
+                                    : ReportTexts::tr("Segments of volume %1").arg(volume + 1);
+  return QStringLiteral("<h3>%1</h3><table>%2</table>").arg(title, rows);
+}
+
+QString SegmentTables(const Scene& scene, const Study& study)
+{
+  QString tables;
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
+  {
+    tables += SegmentTable(scene, study, volume);
+  }
+  return tables;
 }
 
 void AddPicture(QTextDocument& document, const QString& name, const QImage& image)
@@ -237,7 +252,7 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
       MeasureRows(scene, study))
     .arg(WidthOfPicture)
     .arg(WidthOfSlice)
-    .arg(SegmentTable(scene, study) + KeyImagesHtml(scene.keyImages));
+    .arg(SegmentTables(scene, study) + KeyImagesHtml(scene.keyImages));
 }
 
 void WriteScanReport(SceneModel* model, const QString& path)

@@ -651,6 +651,10 @@ Masken nicht unterstützt</translation>
         <source>Key images</source>
         <translation>Schlüsselbilder</translation>
     </message>
+    <message>
+        <source>Segments of volume %1</source>
+        <translation>Segmente von Volumen %1</translation>
+    </message>
 </context>
 <context>
     <name>ScissorsTool</name>
@@ -3330,6 +3334,14 @@ ml</translation>
         <source>Segments</source>
         <translation>Segmente</translation>
     </message>
+    <message>
+        <source>Segments of %1</source>
+        <translation>Segmente von %1</translation>
+    </message>
+    <message>
+        <source>The volume shows at most %1 scans and segmentations together; not all fit.</source>
+        <translation>Das Volumen zeigt höchstens %1 Aufnahmen und Segmentierungen zusammen; nicht alle passen hinein.</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::SendDialog</name>
@@ -4104,10 +4116,6 @@ ml</translation>
     <message>
         <source>computed volume</source>
         <translation>berechnetes Volumen</translation>
-    </message>
-    <message>
-        <source>Several volumes are drawn together as composites, without segments, shadows and ambient occlusion.</source>
-        <translation>Mehrere Volumen werden zusammen mit der Mischung Überlagerung gezeichnet, ohne Segmente, Schatten und Umgebungsverdeckung.</translation>
     </message>
     <message>
         <source>Volumes</source>

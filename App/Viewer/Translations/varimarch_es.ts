@@ -651,6 +651,10 @@ no admite máscaras</translation>
         <source>Key images</source>
         <translation>Imágenes clave</translation>
     </message>
+    <message>
+        <source>Segments of volume %1</source>
+        <translation>Segmentos del volumen %1</translation>
+    </message>
 </context>
 <context>
     <name>ScissorsTool</name>
@@ -3330,6 +3334,14 @@ ml</translation>
         <source>Segments</source>
         <translation>Segmentos</translation>
     </message>
+    <message>
+        <source>Segments of %1</source>
+        <translation>Segmentos de %1</translation>
+    </message>
+    <message>
+        <source>The volume shows at most %1 scans and segmentations together; not all fit.</source>
+        <translation>El volumen muestra como máximo %1 estudios y segmentaciones juntos; no caben todos.</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::SendDialog</name>
@@ -4104,10 +4116,6 @@ ml</translation>
     <message>
         <source>computed volume</source>
         <translation>volumen calculado</translation>
-    </message>
-    <message>
-        <source>Several volumes are drawn together as composites, without segments, shadows and ambient occlusion.</source>
-        <translation>Varios volúmenes se dibujan juntos como compuestos, sin segmentos, sombras ni oclusión ambiental.</translation>
     </message>
     <message>
         <source>Volumes</source>

@@ -82,6 +82,16 @@ void ForgetOwnName(Look& look)
   }
 }
 
+void ForgetNames(std::optional<SceneLabels>& labels)
+{
+  if (labels)
+  {
+    labels->path = "labels";
+    labels->series.clear();
+    ForgetNames(labels->segments);
+  }
+}
+
 // The scene without paths and names given by the user, which may contain a patient's name.
 std::string AnonymousText(Scene scene)
 {
@@ -90,17 +100,13 @@ std::string AnonymousText(Scene scene)
   {
     ForgetFile(overlay.source);
     ForgetOwnName(overlay.look);
+    ForgetNames(overlay.labels);
   }
   ForgetNames(scene.overlays);
   ForgetOwnName(scene.look);
   ForgetNames(scene.measures);
   ForgetNames(scene.keyImages);
-  if (scene.labels)
-  {
-    scene.labels->path = "labels";
-    scene.labels->series.clear();
-    ForgetNames(scene.labels->segments);
-  }
+  ForgetNames(scene.labels);
   return SceneText(scene);
 }
 
@@ -118,7 +124,7 @@ PictureMaker::PictureMaker(const Scene& scene, const Study& study, const ExportO
     this->view->Pipeline().SetLabels(study.labels);
     this->view->Pipeline().SetSegments(this->scene.labels->segments);
   }
-  this->view->Pipeline().SetOverlays(this->scene.overlays, OverlayImages(study));
+  this->view->Pipeline().SetOverlays(this->scene.overlays, VoxelsOfOverlays(study));
 }
 
 PictureMaker::~PictureMaker()

@@ -80,12 +80,12 @@ void CopyVoxels(ScenePart part, const Study& study, ShownVoxels& voxels)
   {
     voxels.labels = CopyOf(study.labels);
   }
-  if (isNew || part == ScenePart::Overlays)
+  if (isNew || part == ScenePart::Labels || part == ScenePart::Overlays)
   {
     voxels.overlays.clear();
     for (const auto& overlay : study.overlays)
     {
-      voxels.overlays.push_back(CopyOf(overlay->volume));
+      voxels.overlays.push_back({ CopyOf(overlay->volume), CopyOf(overlay->labels) });
     }
   }
 }
@@ -277,6 +277,7 @@ void PictureThread::Take(ScenePart part, const Scene& scene, const Study& study)
   else if (part == ScenePart::Labels)
   {
     next.voxels.labels = std::move(voxels.labels);
+    next.voxels.overlays = std::move(voxels.overlays);
   }
   else if (part == ScenePart::Overlays)
   {

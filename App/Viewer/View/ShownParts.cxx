@@ -7,7 +7,7 @@ namespace varimarch
 
 ShownVoxels VoxelsOf(const Study& study)
 {
-  return { study.volume.image, study.labels, OverlayImages(study) };
+  return { study.volume.image, study.labels, VoxelsOfOverlays(study) };
 }
 
 bool ShowPart(
@@ -16,8 +16,7 @@ bool ShowPart(
   switch (part)
   {
     case ScenePart::Volume:
-      ShowPart(ScenePart::Labels, scene, voxels, pipeline);
-      return ShowPart(ScenePart::Overlays, scene, voxels, pipeline);
+      return ShowPart(ScenePart::Labels, scene, voxels, pipeline);
     case ScenePart::Voxels:
       pipeline.SetImage(voxels.volume);
       return true;
@@ -41,6 +40,7 @@ bool ShowPart(
       {
         pipeline.SetSegments(scene.labels->segments);
       }
+      pipeline.SetOverlays(scene.overlays, voxels.overlays);
       return true;
     case ScenePart::Render:
       pipeline.SetRenderOptions(scene.render);

@@ -18,7 +18,7 @@ struct ShownVoxels
 {
   vtkSmartPointer<vtkImageData> volume;
   std::shared_ptr<const LabelMap> labels; ///< null without a segmentation
-  std::vector<vtkSmartPointer<vtkImageData>> overlays;
+  std::vector<OverlayVoxels> overlays;
 };
 
 /// The voxels of a study, not copied.

@@ -76,6 +76,7 @@ private:
   SliceRequest Request() const;
   void DrawVoxels(QPainter& painter) const;
   void DrawOverlays(QPainter& painter, SliceRequest request) const;
+  void DrawSegments(QPainter& painter, const SliceRequest& request) const;
   void DrawCrosshair(QPainter& painter) const;
   void DrawBrush(QPainter& painter) const;
   bool PressSegment(const QMouseEvent* event);

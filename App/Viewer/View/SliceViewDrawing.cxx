@@ -3,6 +3,7 @@
 #include "Viewer/View/SliceView.h"
 
 #include "Scene/Placing.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/SliceFusing.h"
 #include "Scene/SliceSegments.h"
 #include "Viewer/View/MeasureOverlay.h"
@@ -61,11 +62,24 @@ void SliceView::DrawVoxels(QPainter& painter) const
   painter.drawImage(this->rect(),
     QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
   this->DrawOverlays(painter, request);
-  if (const auto& labels = this->model->CurrentScene().labels)
+  this->DrawSegments(painter, request);
+}
+
+// Segments lie over all volumes. Those of a hidden volume are hidden with it.
+void SliceView::DrawSegments(QPainter& painter, const SliceRequest& request) const
+{
+  const Scene& scene = this->model->CurrentScene();
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
-    const std::vector<Rgba> colors = SliceSegments(study.labels->image, labels->segments, request);
-    painter.drawImage(this->rect(),
-      QImage(colors.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
+    const auto& labels = SceneLabelsOf(scene, volume);
+    if (labels && (volume == 0 || scene.overlays[volume - 1].visible))
+    {
+      const auto numbers = Placed(StudyOfVolume(*this->model->CurrentStudy(), volume).labels->image,
+        PlacementOf(scene, volume));
+      const std::vector<Rgba> colors = SliceSegments(numbers, labels->segments, request);
+      painter.drawImage(this->rect(),
+        QImage(colors.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
+    }
   }
 }
 

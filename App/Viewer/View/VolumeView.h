@@ -147,6 +147,7 @@ private:
   void ContinueStill();
   Camera CurrentCamera() const;
   vtkInteractorStyle* Style();
+  std::optional<std::array<double, 3>> PointOfEdited(const QPointF& place) const;
   void Point(const QPointF& place);
   double Aspect() const;
 

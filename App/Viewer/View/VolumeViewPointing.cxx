@@ -2,7 +2,10 @@
 
 #include "Viewer/View/VolumeView.h"
 
+#include "Scene/Placing.h"
+#include "Scene/SceneCuts.h"
 #include "Scene/ScenePicking.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/View/WordsEditor.h"
@@ -17,6 +20,23 @@ std::optional<std::array<double, 3>> VolumeView::PointAt(const QPointF& place) c
   const SightLine sight = this->Frame().sightLineAt(place);
   return PointSeen(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
     NumbersOf(sight.nearest), NumbersOf(sight.farthest), this->pipeline->Mask());
+}
+
+// The point of the edited volume that is seen if it is alone. The cuts are those of the first.
+std::optional<std::array<double, 3>> VolumeView::PointOfEdited(const QPointF& place) const
+{
+  const int edited = this->model->EditedVolume();
+  if (edited == 0)
+  {
+    return this->PointAt(place);
+  }
+  Scene scene = this->model->EditedScene();
+  scene.cuts.planes = PlanesOf(scene.cuts, this->model->CurrentStudy()->volume.image);
+  scene.cuts.box = SceneCuts().box;
+  const SightLine sight = this->Frame().sightLineAt(place);
+  return PointSeen(scene,
+    Placed(this->model->EditedStudy()->volume.image, PlacementOf(scene, edited)),
+    NumbersOf(sight.nearest), NumbersOf(sight.farthest));
 }
 
 void VolumeView::AskForWords(const QPointF& place, const std::function<void(const QString&)>& take)
@@ -42,7 +62,7 @@ bool VolumeView::PressSegment(QEvent* event)
   {
     return false;
   }
-  if (const auto point = this->PointAt(mouse->localPos()))
+  if (const auto point = this->PointOfEdited(mouse->localPos()))
   {
     this->segmentEditor->AddRegion(*point);
   }
