@@ -9,6 +9,7 @@
 #include "Scene/ValueGradientHistogram.h"
 #include "Scene/VolumeProperty.h"
 
+#include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkVolumeProperty.h>
 
