@@ -230,12 +230,15 @@ void MainWindow::MakeEditMenu()
   QAction* const redo = this->model.History()->createRedoAction(this, tr("&Redo"));
   redo->setShortcut(QKeySequence::Redo);
   edit->addActions({ undo, redo });
-  connect(this->segmentEditor, &SegmentEditor::StrokingChanged, this,
-    [this, undo, redo](bool isStroking)
-    {
-      undo->setEnabled(!isStroking && this->model.History()->canUndo());
-      redo->setEnabled(!isStroking && this->model.History()->canRedo());
-    });
+  for (const auto signal : { &SegmentEditor::StrokingChanged, &SegmentEditor::WorkingChanged })
+  {
+    connect(this->segmentEditor, signal, this,
+      [this, undo, redo](bool isBusy)
+      {
+        undo->setEnabled(!isBusy && this->model.History()->canUndo());
+        redo->setEnabled(!isBusy && this->model.History()->canRedo());
+      });
+  }
   edit->addSeparator();
   edit->addAction(tr("&Suggested look"), this, &MainWindow::TakeSuggestedLook, QKeySequence("R"));
 }

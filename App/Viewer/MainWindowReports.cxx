@@ -99,6 +99,7 @@ void MainWindow::ExportReport()
   try
   {
     const WaitCursor cursor;
+    this->model.CountSegments();
     WriteScanReport(&this->model, path);
     this->ShowSaved(path);
   }

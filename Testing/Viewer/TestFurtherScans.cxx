@@ -172,7 +172,9 @@ TEST_F(FurtherScans, HaveSegmentsOfTheirOwn)
   QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
   EXPECT_FALSE(this->Model()->CurrentScene().labels);
   ASSERT_TRUE(this->Model()->CurrentScene().overlays[0].labels);
-  EXPECT_EQ(this->Model()->CurrentStudy()->overlays[0]->segmentStatistics.at(0).voxels, 512);
+  EXPECT_TRUE(QTest::qWaitFor([&]
+    { return this->Model()->StudyOf(1)->segmentStatistics.at(0).voxels == 512; },
+    MostMilliseconds));
   const QImage drawn = slice->grab().toImage();
   this->window.findChild<QPushButton*>("hideAll")->click();
   EXPECT_NE(slice->grab().toImage(), drawn) << "slices show them";
@@ -189,6 +191,6 @@ TEST_F(FurtherScans, HaveSegmentsOfTheirOwn)
   ASSERT_TRUE(this->AwaitOverlays(0));
   this->window.Open(this->Path("session.json"));
   ASSERT_TRUE(this->AwaitOverlays(1));
-  EXPECT_EQ(this->Model()->CurrentStudy()->overlays[0]->segmentStatistics.at(0).voxels, 512);
+  EXPECT_EQ(this->Model()->StudyOf(1)->segmentStatistics.at(0).voxels, 512);
   EXPECT_FALSE(this->Model()->VolumeWithUnsavedLabels());
 }

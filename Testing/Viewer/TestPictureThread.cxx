@@ -88,14 +88,14 @@ TEST(PictureThread, DrawsThePictureOfItsScene)
   const auto study = SmallStudy();
   Scene scene = SceneOfThread();
   PictureThread thread;
-  thread.Take(ScenePart::Volume, scene, *study);
+  thread.Take(ScenePart::Volume, scene, study);
   EXPECT_EQ(PictureOf(thread), WithoutThread(scene, *study));
   scene.look.opacities.back().opacity = 0.2;
-  thread.Take(ScenePart::Look, scene, *study);
+  thread.Take(ScenePart::Look, scene, study);
   const QImage before = PictureOf(thread);
   EXPECT_EQ(before, WithoutThread(scene, *study)) << "of another look";
   scene.camera.azimuthDegrees = 40.0;
-  thread.Take(ScenePart::Camera, scene, *study);
+  thread.Take(ScenePart::Camera, scene, study);
   // The mapper keeps its steps while only the camera moves.
   const QImage turned = PictureOf(thread);
   ASSERT_EQ(turned.size(), before.size());
@@ -109,9 +109,9 @@ TEST(PictureThread, ShowsNothingOfAVolumeThatWasReplaced)
   const auto other = OtherStudy();
   const Scene scene = SceneOfThread();
   PictureThread thread;
-  thread.Take(ScenePart::Volume, scene, *study);
+  thread.Take(ScenePart::Volume, scene, study);
   ASSERT_FALSE(PictureOf(thread).isNull());
-  thread.Take(ScenePart::Volume, scene, *other);
+  thread.Take(ScenePart::Volume, scene, other);
   EXPECT_EQ(thread.Last(), nullptr);
   EXPECT_EQ(PictureOf(thread), WithoutThread(scene, *other));
   // The thread has begun the picture when the volume is replaced.
@@ -126,7 +126,7 @@ TEST(PictureThread, ShowsNothingOfAVolumeThatWasReplaced)
     });
   thread.Draw({ Pixels, PicturesPerSecondAtRest });
   QTest::qSleep(5);
-  thread.Take(ScenePart::Volume, scene, *study);
+  thread.Take(ScenePart::Volume, scene, study);
   EXPECT_EQ(PictureOf(thread), expected);
 }
 
@@ -143,9 +143,9 @@ TEST(PictureThread, DrawsTheVoxelsOfAnotherTime)
     voxels->SetComponent(i, 0, 0.5 * voxels->GetComponent(i, 0));
   }
   PictureThread thread;
-  thread.Take(ScenePart::Volume, scene, *study);
+  thread.Take(ScenePart::Volume, scene, study);
   const QImage first = PictureOf(thread);
-  thread.Take(ScenePart::Voxels, scene, later);
+  thread.Take(ScenePart::Voxels, scene, std::make_shared<const Study>(later));
   const QImage second = PictureOf(thread);
   EXPECT_NE(second, first);
   EXPECT_EQ(second, WithoutThread(scene, later));
@@ -156,26 +156,29 @@ TEST(PictureThread, GoesOnIfOnlyTheCountsOfValuesChange)
   const auto study = SmallStudy();
   const Scene scene = SceneOfThread();
   PictureThread thread;
-  thread.Take(ScenePart::Volume, scene, *study);
+  thread.Take(ScenePart::Volume, scene, study);
   ASSERT_FALSE(PictureOf(thread).isNull());
   const double before = thread.Last()->numbers.drawnPart;
-  thread.Take(ScenePart::Voxels, scene, *study);
+  thread.Take(ScenePart::Voxels, scene, study);
   thread.Draw({ Pixels, PicturesPerSecondAtRest, true });
   ASSERT_TRUE(QTest::qWaitFor([&] { return !thread.IsBusy(); }, MostMilliseconds));
   EXPECT_GT(thread.Last()->numbers.drawnPart, before) << "and does not begin anew";
 }
 
-// The editor of segments writes into their voxels where they are.
-TEST(PictureThread, DrawsLabelsAsTheyWereTaken)
+// The editor of segments writes into their voxels where they are, and then names another version.
+TEST(PictureThread, DrawsLabelsOfTheVersionThatWasTaken)
 {
   const auto study = LabelledStudy();
-  Scene scene = SceneOfThread();
+  const Scene scene = SceneOfThread();
   PictureThread thread;
-  thread.Take(ScenePart::Volume, scene, *study);
+  thread.Take(ScenePart::Volume, scene, study);
   const QImage before = WithoutThread(scene, *study);
-  study->labels->image->GetPointData()->GetScalars()->Fill(0.0);
   EXPECT_EQ(PictureOf(thread), before);
-  study->labels->image->Modified();
-  thread.Take(ScenePart::Labels, scene, *study);
+  study->labels->image->GetPointData()->GetScalars()->Fill(0.0);
+  thread.Take(ScenePart::Labels, scene, study);
+  EXPECT_EQ(PictureOf(thread), before) << "the thread has a copy";
+  Study changed = *study;
+  ++changed.labelVersion;
+  thread.Take(ScenePart::Labels, scene, std::make_shared<const Study>(changed));
   EXPECT_NE(PictureOf(thread), before);
 }

@@ -3,6 +3,9 @@
 #include "Answers.h"
 #include "LoopGaps.h"
 #include "TorsoWindow.h"
+#include "Viewer/View/SliceView.h"
+
+#include <QDoubleSpinBox>
 
 #include <functional>
 #include <iostream>
@@ -84,6 +87,41 @@ protected:
       });
   }
 
+  Waiting RemoveTable(const char* name, bool isRemoved)
+  {
+    return this->While(name,
+      [&]
+      {
+        this->Model()->Edit(
+          ScenePart::Cuts, "table", [&](Scene& scene) { scene.cuts.bodyOnly = isRemoved; });
+      });
+  }
+
+  // Clicks into a slice, so that a region grows and its segment is counted.
+  Waiting GrowRegion(const char* name)
+  {
+    return this->While(name,
+      [&]
+      {
+        for (const char* const button : { "newSegment", "toolRegion" })
+        {
+          this->window.findChild<QPushButton*>(button)->click();
+        }
+        this->window.findChild<QDoubleSpinBox*>("smallestValue")->setValue(-200.0);
+        auto* const slice = this->window.findChild<SliceView*>();
+        QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
+        EXPECT_TRUE(QTest::qWaitFor(
+          [&]
+          {
+            const auto study = this->Model()->CurrentStudy();
+            return study->labels && study->areSegmentsCounted &&
+              study->segmentStatistics.front().voxels > 100;
+          },
+          MostMilliseconds))
+          << name;
+      });
+  }
+
   void Drag()
   {
     const QPoint middle = this->View()->rect().center();
@@ -130,12 +168,16 @@ TEST_F(PicturesBeside, LeaveTheEventLoopFree)
   const Waiting sharpened = this->Sharpen("window's thread, sharpen", 1.0 / 150.0);
   const Waiting brightened = this->Brighten("window's thread, edit the look");
   this->Turn("window's thread, turn");
+  const Waiting removed = this->RemoveTable("window's thread, remove the table", true);
   this->View()->DrawInThread();
   this->Open("beside, open", "torso.vti");
   this->Open("beside, open", "large.vti");
   const Waiting sharpenedBeside = this->Sharpen("beside, sharpen", 1.0 / 150.0);
   const Waiting brightenedBeside = this->Brighten("beside, edit the look");
   this->Turn("beside, turn");
+  const Waiting removedBeside = this->RemoveTable("beside, remove the table", true);
+  this->GrowRegion("beside, grow a region and count it");
+  EXPECT_LT(removedBeside.feltPart, 0.5 * removed.feltPart);
   EXPECT_LT(sharpenedBeside.feltPart, 0.5 * sharpened.feltPart);
   EXPECT_LT(brightenedBeside.feltPart, 0.5 * brightened.feltPart);
 }
@@ -164,4 +206,29 @@ TEST_F(PicturesBeside, GiveWayToComparisons)
   this->Drag();
   this->While("after a comparison", [&] { this->window.Compare(std::nullopt); });
   EXPECT_NE(this->Middle(), before) << "the camera was turned during the comparison";
+}
+
+// The window has no mask of its own while the thread draws; what is removed is not pointed at.
+TEST_F(PicturesBeside, LeaveOutWhatIsRemovedForThePointerToo)
+{
+  this->View()->DrawInThread();
+  this->OpenTorso();
+  const QPointF middle = this->View()->rect().center();
+  this->Brighten("look");
+  ASSERT_TRUE(this->View()->PointAt(middle));
+  // Scissors around the whole image remove everything.
+  const auto cutAll = [](Scene& scene)
+  {
+    ScissorsCut cut;
+    cut.camera = scene.camera;
+    cut.outline = { { -9.0, -9.0 }, { 9.0, -9.0 }, { 9.0, 9.0 }, { -9.0, 9.0 } };
+    scene.cuts.scissors = { cut };
+  };
+  this->Turn("turn"); // the camera has a pose
+  this->While("cut", [&] { this->Model()->Edit(ScenePart::Cuts, "cut", cutAll); });
+  EXPECT_FALSE(this->View()->PointAt(middle));
+  EXPECT_EQ(this->View()->Pipeline()->Mask(), nullptr) << "made in the thread only";
+  this->View()->SetRefining(false);
+  EXPECT_TRUE(this->View()->Pipeline()->Mask()) << "the window draws again";
+  EXPECT_FALSE(this->View()->PointAt(middle));
 }

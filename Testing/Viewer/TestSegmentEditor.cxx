@@ -41,9 +41,29 @@ protected:
     QTest::mouseClick(this->box.findChild<QPushButton*>(name), Qt::LeftButton);
   }
 
-  std::int64_t Voxels(int segment)
+  /// Waits until no thread works for the segments.
+  void Await()
   {
-    return this->model.CurrentStudy()->segmentStatistics[segment].voxels;
+    EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return !this->editor.IsWorking() && this->model.AreSegmentsCounted(); }, 30000));
+  }
+
+  const RegionStatistics& Counts(int segment, int volume = 0)
+  {
+    this->Await();
+    return this->model.StudyOf(volume)->segmentStatistics.at(segment);
+  }
+
+  std::int64_t Voxels(int segment, int volume = 0) { return this->Counts(segment, volume).voxels; }
+
+  /// A segment that a click fills with all voxels.
+  void PressForAll()
+  {
+    this->Press("newSegment");
+    this->Press("toolRegion");
+    this->SetNumber("smallestValue", -5000.0);
+    this->SetNumber("largestValue", 5000.0);
+    QTest::mouseClick(&this->slice, Qt::LeftButton, Qt::NoModifier, { 150, 150 });
   }
 
   /// Drags over the middle of the slice.
@@ -200,12 +220,13 @@ TEST_F(DrawnSegments, ARegionHasTheValuesOfItsRange)
   QTest::mouseClick(
     &this->slice, Qt::LeftButton, Qt::NoModifier, this->slice.PlaceOf(middle).toPoint());
   ASSERT_GT(this->Voxels(0), 0);
-  EXPECT_GE(this->model.CurrentStudy()->segmentStatistics[0].smallest, value - 20.0);
-  EXPECT_LE(this->model.CurrentStudy()->segmentStatistics[0].largest, value + 20.0);
+  EXPECT_GE(this->Counts(0).smallest, value - 20.0);
+  EXPECT_LE(this->Counts(0).largest, value + 20.0);
   // Nothing has such values.
   this->SetNumber("smallestValue", 90000.0);
   this->SetNumber("largestValue", 90001.0);
   QTest::mouseClick(&this->slice, Qt::LeftButton, Qt::NoModifier, { 150, 150 });
+  this->Await();
   EXPECT_TRUE(this->box.findChild<QLabel*>("drawHint")->text().startsWith("Nothing has changed"));
 }
 
@@ -222,7 +243,7 @@ TEST_F(DrawnSegments, AreCleanedUpByButtons)
   this->Press("keepLargest");
   EXPECT_EQ(this->Voxels(0), large);
   this->model.History()->undo();
-  const double ml = this->model.CurrentStudy()->segmentStatistics[0].volumeMm3 / 1000.0;
+  const double ml = this->Counts(0).volumeMm3 / 1000.0;
   this->SetNumber("islandVolume", 0.5 * ml);
   this->Press("removeSmall");
   EXPECT_EQ(this->Voxels(0), large);
@@ -275,23 +296,32 @@ TEST_F(DrawnSegments, AreThoseOfTheChosenVolume)
       scene.overlays[0].placement.moveMm = { 24.0, 0.0, 0.0 };
     });
   this->Stroke(150, 150);
-  const Study& pet = *this->model.CurrentStudy()->overlays[0];
   EXPECT_EQ(this->Voxels(0), 0) << "the first volume has nothing painted";
-  ASSERT_GT(pet.segmentStatistics.at(0).voxels, 4);
-  EXPECT_NEAR(
-    pet.segmentStatistics[0].volumeMm3 / double(pet.segmentStatistics[0].voxels), 512.0, 1e-6);
+  const std::int64_t painted = this->Voxels(0, 1);
+  ASSERT_GT(painted, 4);
+  EXPECT_NEAR(this->Counts(0, 1).volumeMm3 / double(painted), 512.0, 1e-6);
   // The stroke went through the middle of the slice, where the PET's voxels are that lie 24 mm
   // beside its own middle.
   int index[3];
   double parameters[3];
   std::array<double, 3> middle = *this->slice.PointAt({ 150.0, 150.0 });
   middle[0] -= 24.0;
-  ASSERT_TRUE(pet.labels->image->ComputeStructuredCoordinates(middle.data(), index, parameters));
-  EXPECT_EQ(pet.labels->image->GetScalarComponentAsDouble(index[0], index[1], index[2], 0), 1.0);
+  vtkImageData* const numbers = this->model.StudyOf(1)->labels->image;
+  ASSERT_TRUE(numbers->ComputeStructuredCoordinates(middle.data(), index, parameters));
+  EXPECT_EQ(numbers->GetScalarComponentAsDouble(index[0], index[1], index[2], 0), 1.0);
   EXPECT_TRUE(this->model.HasUnsavedLabels(1));
+}
 
-  // Each volume has its own versions and steps.
-  const std::int64_t painted = pet.segmentStatistics[0].voxels;
+TEST_F(DrawnSegments, HaveVersionsAndStepsOfTheirVolume)
+{
+  this->Press("newSegment");
+  AddPet(this->model);
+  this->Press("newSegment");
+  this->Press("toolPaint");
+  this->SetNumber("brushRadius", 20.0);
+  this->Stroke(150, 150);
+  const std::int64_t painted = this->Voxels(0, 1);
+  ASSERT_GT(painted, 4);
   this->model.TakeSavedLabels(
     "/scans/pet.seg.nrrd", this->model.EditedLabels()->segments, "save", 1);
   EXPECT_EQ(this->model.VolumeWithUnsavedLabels(), 0);
@@ -303,9 +333,9 @@ TEST_F(DrawnSegments, AreThoseOfTheChosenVolume)
   this->model.History()->undo(); // paints in the first
   this->model.History()->undo(); // names the file
   this->model.History()->undo(); // paints in the PET
-  EXPECT_EQ(this->model.CurrentStudy()->overlays[0]->segmentStatistics[0].voxels, 0);
+  EXPECT_EQ(this->Voxels(0, 1), 0);
   this->model.History()->redo();
-  EXPECT_EQ(this->model.CurrentStudy()->overlays[0]->segmentStatistics[0].voxels, painted);
+  EXPECT_EQ(this->Voxels(0, 1), painted);
 }
 
 TEST_F(DrawnSegments, OfAnAddedVolumeGrowByItsOwnValues)
@@ -316,9 +346,54 @@ TEST_F(DrawnSegments, OfAnAddedVolumeGrowByItsOwnValues)
   this->SetNumber("smallestValue", 900.0);
   this->SetNumber("largestValue", 1100.0);
   QTest::mouseClick(&this->slice, Qt::LeftButton, {}, { 150, 150 });
-  const Study& pet = *this->model.CurrentStudy()->overlays[0];
-  EXPECT_EQ(pet.segmentStatistics.at(0).voxels, 8 * 8 * 8);
-  EXPECT_EQ(pet.segmentStatistics[0].mean, 1000.0);
+  EXPECT_EQ(this->Voxels(0, 1), 8 * 8 * 8);
+  EXPECT_EQ(this->Counts(0, 1).mean, 1000.0);
   const QTableWidget* const table = this->panel.findChild<QTableWidget*>();
   EXPECT_TRUE(table->item(0, 2)->text().remove(QRegExp("[^0-9]")).startsWith("1000"));
+}
+
+// The window goes on while a region grows, and the user may give it up.
+TEST_F(DrawnSegments, AreWorkedOutBesideTheWindowUntilTheUserCancels)
+{
+  auto* const cancel = this->box.findChild<QPushButton*>("cancelSegmentWork");
+  this->PressForAll();
+  EXPECT_TRUE(this->editor.IsWorking());
+  EXPECT_TRUE(cancel->isVisible());
+  EXPECT_FALSE(this->box.findChild<QPushButton*>("smooth")->isEnabled());
+  const int steps = this->model.History()->count();
+  QTest::mouseClick(cancel, Qt::LeftButton);
+  EXPECT_FALSE(cancel->isVisible());
+  EXPECT_EQ(this->Voxels(0), 0);
+  EXPECT_EQ(this->model.History()->count(), steps);
+  QTest::mouseClick(&this->slice, Qt::LeftButton, Qt::NoModifier, { 150, 150 });
+  EXPECT_EQ(this->Voxels(0), 32 * 28 * 20);
+  EXPECT_EQ(this->model.History()->count(), steps + 1);
+}
+
+TEST_F(DrawnSegments, AreLeftAloneIfTheirLabelsChangeDuringTheWork)
+{
+  this->PressForAll();
+  this->model.ChangeLabels({ { 3, 3, 2, 2, 1, 1 }, { 0 }, { 1 } }, "paint");
+  EXPECT_EQ(this->Voxels(0), 1);
+  EXPECT_TRUE(this->box.findChild<QLabel*>("drawHint")->text().contains("left out"));
+}
+
+TEST_F(DrawnSegments, HaveNoNumbersUntilTheyAreCounted)
+{
+  this->Press("newSegment");
+  this->model.ChangeLabels({ { 3, 3, 2, 2, 1, 1 }, { 0 }, { 1 } }, "paint");
+  const QTableWidget* const table = this->panel.findChild<QTableWidget*>();
+  EXPECT_EQ(table->item(0, 1)->text(), QString::fromUtf8("…"));
+  // A stroke that has begun goes on when the numbers come.
+  this->Press("toolPaint");
+  QTest::mousePress(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  this->Await();
+  EXPECT_NE(table->item(0, 1)->text(), QString::fromUtf8("…"));
+  QTest::mouseRelease(&this->slice, Qt::LeftButton, Qt::NoModifier, { 140, 150 });
+  EXPECT_GT(this->Voxels(0), 1);
+  this->model.History()->undo();
+  EXPECT_FALSE(this->model.AreSegmentsCounted()) << "a report cannot wait";
+  this->model.CountSegments();
+  EXPECT_EQ(this->model.CurrentStudy()->segmentStatistics[0].voxels, 1);
+  EXPECT_TRUE(this->model.AreSegmentsCounted());
 }

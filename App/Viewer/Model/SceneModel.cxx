@@ -147,25 +147,6 @@ void SceneModel::Exchange(
     new EditStep(this, { ScenePart::Volume }, name, std::move(changed), NoGesture));
 }
 
-// Overlays may have changed while the labels were read.
-void SceneModel::ShowLabels(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled,
-  const QString& name, int volume)
-{
-  State changed = this->WithStudy(WithVolume(*this->state.study, volume, labelled));
-  SceneLabelsOf(changed.scene, volume) = labels;
-  TakeSegments(changed, volume);
-  this->TakeVersionOfFile(changed, volume);
-  this->PushLabels(std::move(changed), name);
-}
-
-void SceneModel::CloseLabels(const QString& name)
-{
-  State changed = this->WithStudy(
-    WithVolume(*this->state.study, this->edited, WithoutLabels(*this->EditedStudy())));
-  TakeSegments(changed, this->edited);
-  this->PushLabels(std::move(changed), name);
-}
-
 void SceneModel::PushLabels(State changed, const QString& name)
 {
   this->history.push(
@@ -222,9 +203,14 @@ void SceneModel::SetEditedVolume(int volume)
   }
 }
 
+std::shared_ptr<const Study> SceneModel::StudyOf(int volume) const
+{
+  return volume == 0 ? this->state.study : this->state.study->overlays[volume - 1];
+}
+
 std::shared_ptr<const Study> SceneModel::EditedStudy() const
 {
-  return this->edited == 0 ? this->state.study : this->state.study->overlays[this->edited - 1];
+  return this->StudyOf(this->edited);
 }
 
 const std::optional<SceneLabels>& SceneModel::EditedLabels() const
@@ -323,6 +309,7 @@ void SceneModel::ShowTime(const LoadedVolume& ofTime)
   {
     emit this->Changed(ScenePart::Time);
   }
+  this->CountInThread();
 }
 
 void SceneModel::TakeCounts(std::shared_ptr<const ImageStatistics> allTimes)
@@ -331,21 +318,6 @@ void SceneModel::TakeCounts(std::shared_ptr<const ImageStatistics> allTimes)
   counted.allTimes = std::move(allTimes);
   this->state.study = std::make_shared<const Study>(std::move(counted));
   emit this->Changed(ScenePart::Voxels);
-}
-
-// The labels of the study have the appearance that the scene gave when they were loaded.
-void SceneModel::TakeSegments(State& taken, int volume)
-{
-  const Study& study = StudyOfVolume(*taken.study, volume);
-  std::optional<SceneLabels>& labels = SceneLabelsOf(taken.scene, volume);
-  if (!study.labels)
-  {
-    labels.reset();
-  }
-  else if (labels)
-  {
-    labels->segments = study.labels->segments;
-  }
 }
 
 // Overlays that could not be read are left out.
@@ -391,6 +363,7 @@ void SceneModel::Replace(const std::vector<ScenePart>& parts, const State& newSt
   {
     emit this->Changed(ScenePart::EditedVolume);
   }
+  this->CountInThread();
 }
 
 }

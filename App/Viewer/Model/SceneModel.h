@@ -3,6 +3,7 @@
 
 #include "Scene/Scene.h"
 #include "Scene/SegmentEditing.h"
+#include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/Study.h"
@@ -127,6 +128,13 @@ public:
   /// A number that is another one whenever the voxels of a volume's labels are others.
   int LabelVersion(int volume) const;
 
+  /// True unless sizes and statistics of segments are being counted, which a thread does after each
+  /// change of their voxels. ScenePart::Labels changes when it is done.
+  bool AreSegmentsCounted() const;
+
+  /// Counts at once what is not counted yet, for a report.
+  void CountSegments();
+
   /// The number of the volume with these voxels; empty if it is no longer shown.
   std::optional<int> VolumeOf(vtkImageData* image) const;
 
@@ -144,6 +152,9 @@ public:
   /// The volume whose look and segments the panels edit.
   int EditedVolume() const { return this->edited; }
   void SetEditedVolume(int volume);
+
+  /// The study of a volume; null before the first volume.
+  std::shared_ptr<const Study> StudyOf(int volume) const;
 
   /// The edited volume and its look; the study is null before the first volume.
   std::shared_ptr<const Study> EditedStudy() const;
@@ -187,7 +198,10 @@ private:
   void TakeVersionOfFile(State& taken, int volume);
   static void TakeOverlays(State& taken);
   void PushLabels(State changed, const QString& name);
-  void RenewLabels(int volume, LabelMap map, int version);
+  void RenewLabels(int volume, int version);
+  std::optional<int> VolumeToCount() const;
+  void CountInThread();
+  void TakeCounted(int volume, const std::shared_ptr<const Study>& counted);
   void PushOverlays(State changed, const QString& name, int newEdited);
   void Replace(const std::vector<ScenePart>& parts, const State& newState);
 
@@ -198,6 +212,7 @@ private:
   /// Versions of labels by the files that they were read from, or written to last.
   std::map<std::string, int> versionsInFiles;
   int lastLabelVersion = 0;
+  BackgroundTask counting;
   QUndoStack history;
 };
 

@@ -1,4 +1,4 @@
-// The part of SceneModel that edits the voxels of segments.
+// The part of SceneModel that shows segmentations, edits their voxels and counts them.
 
 #include "Viewer/Model/SceneModel.h"
 
@@ -11,6 +11,7 @@
 #include <QUndoCommand>
 
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 namespace varimarch
@@ -69,9 +70,12 @@ public:
 private:
   void Apply(bool isForward)
   {
-    const LabelMap& labels = *StudyOfVolume(*this->model->state.study, this->volume).labels;
-    varimarch::Apply(this->change, isForward, labels.image);
-    this->model->RenewLabels(this->volume, labels, isForward ? this->after : this->before);
+    const Study& study = *this->model->StudyOf(this->volume);
+    {
+      const std::lock_guard<std::mutex> lock(*study.labelMutex);
+      varimarch::Apply(this->change, isForward, study.labels->image);
+    }
+    this->model->RenewLabels(this->volume, isForward ? this->after : this->before);
   }
 
   SceneModel* model;
@@ -81,17 +85,108 @@ private:
   int after;
 };
 
+// Overlays may have changed while the labels were read.
+void SceneModel::ShowLabels(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled,
+  const QString& name, int volume)
+{
+  State changed = this->WithStudy(WithVolume(*this->state.study, volume, labelled));
+  SceneLabelsOf(changed.scene, volume) = labels;
+  TakeSegments(changed, volume);
+  this->TakeVersionOfFile(changed, volume);
+  this->PushLabels(std::move(changed), name);
+}
+
+void SceneModel::CloseLabels(const QString& name)
+{
+  State changed = this->WithStudy(
+    WithVolume(*this->state.study, this->edited, WithoutLabels(*this->EditedStudy())));
+  TakeSegments(changed, this->edited);
+  this->PushLabels(std::move(changed), name);
+}
+
+// The labels of the study have the appearance that the scene gave when they were loaded.
+void SceneModel::TakeSegments(State& taken, int volume)
+{
+  const Study& study = StudyOfVolume(*taken.study, volume);
+  std::optional<SceneLabels>& labels = SceneLabelsOf(taken.scene, volume);
+  if (!study.labels)
+  {
+    labels.reset();
+  }
+  else if (labels)
+  {
+    labels->segments = study.labels->segments;
+  }
+}
+
 void SceneModel::ChangeLabels(const LabelChange& change, const QString& name)
 {
   this->history.push(new LabelStep(this, change, name));
 }
 
-// The sizes and statistics of the segments are counted anew.
-void SceneModel::RenewLabels(int volume, LabelMap map, int version)
+void SceneModel::RenewLabels(int volume, int version)
 {
-  map.sizes = SizesOf(map.image, map.segments.size());
-  const auto labelled = WithLabels(StudyOfVolume(*this->state.study, volume), std::move(map));
-  this->state.study = WithVolume(*this->state.study, volume, WithVersion(*labelled, version));
+  Study renewed = *this->StudyOf(volume);
+  renewed.labelVersion = version;
+  renewed.areSegmentsCounted = false;
+  this->state.study =
+    WithVolume(*this->state.study, volume, std::make_shared<const Study>(std::move(renewed)));
+  emit this->Changed(ScenePart::Labels);
+  this->CountInThread();
+}
+
+std::optional<int> SceneModel::VolumeToCount() const
+{
+  for (int volume = 0; this->state.study && volume < VolumeCount(this->state.scene); ++volume)
+  {
+    if (!this->StudyOf(volume)->areSegmentsCounted)
+    {
+      return volume;
+    }
+  }
+  return {};
+}
+
+bool SceneModel::AreSegmentsCounted() const
+{
+  return !this->VolumeToCount();
+}
+
+void SceneModel::CountSegments()
+{
+  while (const std::optional<int> volume = this->VolumeToCount())
+  {
+    const auto study = this->StudyOf(*volume);
+    this->TakeCounted(*volume, WithCounts(*study, study->volume.image));
+  }
+}
+
+// One volume after the other. What changes meanwhile is counted anew.
+void SceneModel::CountInThread()
+{
+  const std::optional<int> volume = this->VolumeToCount();
+  if (!volume || this->counting.IsRunning())
+  {
+    return;
+  }
+  const auto study = this->StudyOf(*volume);
+  const auto counted = std::make_shared<std::shared_ptr<const Study>>();
+  this->counting.Start([study, counted, image = SharedCopy(study->volume)](const TaskProgress&)
+    { *counted = WithCounts(*study, image); },
+    [this, study, counted]
+    {
+      const std::optional<int> now = this->VolumeOf(study->volume.image);
+      if (now && this->StudyOf(*now) == study)
+      {
+        this->TakeCounted(*now, *counted);
+      }
+      this->CountInThread();
+    });
+}
+
+void SceneModel::TakeCounted(int volume, const std::shared_ptr<const Study>& counted)
+{
+  this->state.study = WithVolume(*this->state.study, volume, counted);
   emit this->Changed(ScenePart::Labels);
 }
 
@@ -111,9 +206,11 @@ void SceneModel::AddSegment(const QString& segmentName, const QString& name)
   map.segments.push_back(added);
   map.sizes.emplace_back();
   labels->segments.push_back(added);
-  const auto labelled = WithLabels(study, std::move(map));
-  changed.study =
-    WithVolume(*this->state.study, this->edited, WithVersion(*labelled, ++this->lastLabelVersion));
+  Study labelled = study;
+  labelled.labels = std::make_shared<const LabelMap>(std::move(map));
+  labelled.segmentStatistics.emplace_back();
+  changed.study = WithVolume(
+    *this->state.study, this->edited, WithVersion(std::move(labelled), ++this->lastLabelVersion));
   this->PushLabels(std::move(changed), name);
 }
 
@@ -129,7 +226,7 @@ void SceneModel::TakeSavedLabels(
 
 int SceneModel::LabelVersion(int volume) const
 {
-  return StudyOfVolume(*this->state.study, volume).labelVersion;
+  return this->StudyOf(volume)->labelVersion;
 }
 
 bool SceneModel::HasUnsavedLabels(int volume) const

@@ -15,11 +15,14 @@ SegmentEditor::SegmentEditor(SceneModel* model, QObject* parent)
   connect(model, &SceneModel::Changed, this,
     [this](ScenePart part)
     {
-      if (IsOtherLookVolume(part) || part == ScenePart::Labels)
+      const bool mayBeOther = IsOtherLookVolume(part) || part == ScenePart::Labels;
+      if (mayBeOther && !(this->HasSegment() && this->Numbers() == this->stroked))
       {
         this->TakeBackStroke();
       }
     });
+  connect(&this->work, &BackgroundTask::RunningChanged, this, &SegmentEditor::WorkingChanged);
+  connect(&this->work, &BackgroundTask::Failed, this, &SegmentEditor::Failed);
 }
 
 void SegmentEditor::SetTool(SegmentTool newTool)
@@ -46,10 +49,31 @@ vtkSmartPointer<vtkImageData> SegmentEditor::Placed(vtkImageData* image) const
     image, PlacementOf(this->model->CurrentScene(), this->model->EditedVolume()));
 }
 
-void SegmentEditor::Change(const LabelChange& change, const QString& name)
+void SegmentEditor::Work(
+  const QString& name, std::function<LabelChange(vtkImageData* numbers)> change)
 {
+  if (!this->HasSegment() || this->IsWorking())
+  {
+    return;
+  }
   this->Release();
-  if (change.IsEmpty())
+  const auto study = this->model->EditedStudy();
+  const auto found = std::make_shared<LabelChange>();
+  this->work.Start([study, found, change = std::move(change)](const TaskProgress&)
+    { *found = change(CopyOfLabels(*study)); },
+    [this, study, found, name] { this->Take(*study, *found, name); });
+}
+
+void SegmentEditor::Take(const Study& before, const LabelChange& change, const QString& name)
+{
+  const auto now = this->model->EditedStudy();
+  const bool areSame = now->labels && now->labels->image == before.labels->image &&
+    now->labelVersion == before.labelVersion;
+  if (!areSame)
+  {
+    emit this->Failed(tr("The segments were changed meanwhile, so this edit was left out."));
+  }
+  else if (change.IsEmpty())
   {
     emit this->Unchanged();
   }
@@ -61,9 +85,10 @@ void SegmentEditor::Change(const LabelChange& change, const QString& name)
 
 void SegmentEditor::AddRegion(const std::array<double, 3>& pointMm)
 {
-  this->Change(ConnectedRegion(this->Numbers(), this->Number(),
-                 this->Placed(this->model->EditedStudy()->volume.image), pointMm, this->range),
-    tr("add a region"));
+  const auto scan = this->Placed(SharedCopy(this->model->EditedStudy()->volume));
+  this->Work(tr("add a region"),
+    [scan, pointMm, number = this->Number(), range = this->range](vtkImageData* numbers)
+    { return ConnectedRegion(numbers, number, scan, pointMm, range); });
 }
 
 void SegmentEditor::Press(
@@ -75,9 +100,14 @@ void SegmentEditor::Press(
     this->AddRegion(pointMm);
     return;
   }
+  if (this->IsWorking())
+  {
+    return;
+  }
   this->isStroking = true;
   this->stroke = {};
   this->stroked = this->Numbers();
+  this->mutex = this->model->EditedStudy()->labelMutex;
   this->normal = sliceNormal;
   this->lastMm = pointMm;
   emit this->StrokingChanged(true);
@@ -100,7 +130,7 @@ void SegmentEditor::Brush(const std::array<double, 3>& toMm)
   const LabelChange change = this->tool == SegmentTool::Erase
     ? Erased(placed, this->Number(), line)
     : Painted(placed, this->Number(), line);
-  Apply(change, true, this->stroked);
+  this->Write(change, true);
   this->stroke = Joined(this->stroke, change, this->stroked);
   this->lastMm = toMm;
   emit this->Stroked();
@@ -125,34 +155,35 @@ void SegmentEditor::TakeBackStroke()
 {
   if (std::exchange(this->isStroking, false))
   {
-    Apply(this->stroke, false, this->stroked);
+    this->Write(this->stroke, false);
     emit this->StrokingChanged(false);
   }
 }
 
+void SegmentEditor::Write(const LabelChange& change, bool isForward)
+{
+  const std::lock_guard<std::mutex> lock(*this->mutex);
+  Apply(change, isForward, this->stroked);
+}
+
 void SegmentEditor::KeepLargestIsland()
 {
-  if (this->HasSegment())
-  {
-    this->Change(LargestIsland(this->Numbers(), this->Number()), tr("keep the largest part"));
-  }
+  this->Work(tr("keep the largest part"),
+    [number = this->Number()](vtkImageData* numbers) { return LargestIsland(numbers, number); });
 }
 
 void SegmentEditor::RemoveSmallIslands(double leastMl)
 {
-  if (this->HasSegment())
-  {
-    this->Change(
-      WithoutSmallIslands(this->Numbers(), this->Number(), leastMl), tr("remove small parts"));
-  }
+  this->Work(tr("remove small parts"),
+    [number = this->Number(), leastMl](vtkImageData* numbers)
+    { return WithoutSmallIslands(numbers, number, leastMl); });
 }
 
 void SegmentEditor::Smooth(double deviationMm)
 {
-  if (this->HasSegment())
-  {
-    this->Change(Smoothed(this->Numbers(), this->Number(), deviationMm), tr("smooth a segment"));
-  }
+  this->Work(tr("smooth a segment"),
+    [number = this->Number(), deviationMm](vtkImageData* numbers)
+    { return Smoothed(numbers, number, deviationMm); });
 }
 
 }

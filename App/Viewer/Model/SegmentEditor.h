@@ -2,6 +2,7 @@
 #define Varimarch_Viewer_SegmentEditor_h
 
 #include "Scene/SegmentEditing.h"
+#include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <vtkImageData.h>
@@ -10,6 +11,9 @@
 #include <QObject>
 
 #include <array>
+#include <functional>
+#include <memory>
+#include <mutex>
 
 namespace varimarch
 {
@@ -25,7 +29,8 @@ enum class SegmentTool
 
 /// Edits the voxels of one segment of the volume that the model edits. The panel chooses the
 /// segment and the tool, and views pass on the places that the user clicks. A stroke, from press to
-/// release, is one undo step. It is taken back if its labels are replaced meanwhile.
+/// release, is one undo step. It is taken back if its labels are replaced meanwhile. Regions,
+/// islands and smoothing are worked out in a thread; nothing else is edited meanwhile.
 class SegmentEditor : public QObject
 {
   Q_OBJECT
@@ -48,6 +53,11 @@ public:
   bool TakesVolume() const { return this->HasSegment() && this->tool == SegmentTool::Region; }
   bool IsBrush() const { return this->TakesSlices() && !this->TakesVolume(); }
 
+  /// True while a change is worked out.
+  bool IsWorking() const { return this->work.IsRunning(); }
+  /// Leaves the segments as they are.
+  void Cancel() { this->work.Cancel(); }
+
   /// Adds the region of a point [mm].
   void AddRegion(const std::array<double, 3>& pointMm);
 
@@ -67,16 +77,23 @@ signals:
   void Stroked();
   /// A stroke begins or ends. Nothing may be undone during one.
   void StrokingChanged(bool isStroking);
+  /// Work in a thread begins or ends. Nothing may be undone during it.
+  void WorkingChanged(bool isWorking);
   /// An action found nothing to change.
   void Unchanged();
+  /// @param reason  one sentence
+  void Failed(const QString& reason);
 
 private:
   bool HasSegment() const;
   vtkImageData* Numbers() const;
   vtkSmartPointer<vtkImageData> Placed(vtkImageData* image) const;
   int Number() const { return this->segment + 1; }
-  void Change(const LabelChange& change, const QString& name);
+  /// @param change  runs in a thread, and gets a copy of the labels
+  void Work(const QString& name, std::function<LabelChange(vtkImageData* numbers)> change);
+  void Take(const Study& before, const LabelChange& change, const QString& name);
   void Brush(const std::array<double, 3>& toMm);
+  void Write(const LabelChange& change, bool isForward);
   void TakeBackStroke();
 
   SceneModel* model;
@@ -88,7 +105,9 @@ private:
   std::array<double, 3> normal = {};
   LabelChange stroke;                    ///< so far
   vtkSmartPointer<vtkImageData> stroked; ///< the image that the stroke changes
+  std::shared_ptr<std::mutex> mutex;     ///< the lock of that image
   bool isStroking = false;
+  BackgroundTask work;
 };
 
 }

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 
 namespace varimarch
 {
@@ -187,7 +186,6 @@ bool Autosave::IsSaved(int volume) const
   return this->saved[volume].version == this->model->LabelVersion(volume);
 }
 
-// Voxels are edited where they are, so the thread has a copy of them.
 void Autosave::SaveSegments(int volume)
 {
   if (this->segmentWriting.IsRunning())
@@ -195,22 +193,13 @@ void Autosave::SaveSegments(int volume)
     this->delay.start();
     return;
   }
-  const Study& study = StudyOfVolume(*this->model->CurrentStudy(), volume);
-  LabelMap labels;
-  labels.image = vtkSmartPointer<vtkImageData>::New();
-  try
-  {
-    labels.image->DeepCopy(study.labels->image);
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->SaveScene(); // the rest
-    return;
-  }
+  const auto study = this->model->StudyOf(volume);
   this->segmentWriting.Start(
-    [labels, segments = SceneLabelsOf(this->model->CurrentScene(), volume)->segments,
+    [study, segments = SceneLabelsOf(this->model->CurrentScene(), volume)->segments,
       file = this->SegmentsPath(volume).toStdString()](const TaskProgress& progress)
     {
+      LabelMap labels;
+      labels.image = CopyOfLabels(*study);
       WriteSegments(labels, segments, {}, file);
       // The copy may have been removed meanwhile, because the program ends.
       if (!progress(1.0))
@@ -218,8 +207,8 @@ void Autosave::SaveSegments(int volume)
         QFile::remove(QString::fromStdString(file));
       }
     },
-    [this, volume, version = study.labelVersion,
-      numbers = vtkWeakPointer<vtkImageData>(study.labels->image)]
+    [this, volume, version = study->labelVersion,
+      numbers = vtkWeakPointer<vtkImageData>(study->labels->image)]
     {
       this->saved[volume] = { numbers, version };
       this->SaveFrom(volume + 1);

@@ -1,5 +1,9 @@
 #include "Viewer/Model/Study.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -41,6 +45,7 @@ std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels)
   labelled.segmentStatistics =
     StatisticsOfSegments(labels.image, labels.segments.size(), scan.volume.image);
   labelled.labels = std::make_shared<const LabelMap>(std::move(labels));
+  labelled.areSegmentsCounted = true;
   return std::make_shared<const Study>(std::move(labelled));
 }
 
@@ -48,12 +53,47 @@ std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTim
 {
   Study other = scan;
   other.volume = ofTime;
-  if (other.labels)
-  {
-    other.segmentStatistics =
-      StatisticsOfSegments(other.labels->image, other.labels->segments.size(), other.volume.image);
-  }
+  other.areSegmentsCounted = !other.labels;
   return std::make_shared<const Study>(std::move(other));
+}
+
+std::shared_ptr<const Study> WithCounts(const Study& study, vtkImageData* image)
+{
+  const vtkSmartPointer<vtkImageData> numbers = CopyOfLabels(study);
+  Study counted = study;
+  LabelMap labels = *study.labels;
+  labels.sizes = SizesOf(numbers, labels.segments.size());
+  counted.segmentStatistics = StatisticsOfSegments(numbers, labels.segments.size(), image);
+  counted.labels = std::make_shared<const LabelMap>(std::move(labels));
+  counted.areSegmentsCounted = true;
+  return std::make_shared<const Study>(std::move(counted));
+}
+
+vtkSmartPointer<vtkImageData> SharedCopy(const LoadedVolume& volume)
+{
+  auto copy = vtkSmartPointer<vtkImageData>::New();
+  copy->ShallowCopy(volume.image);
+  if (!volume.isOnDisk)
+  {
+    vtkDataArray* const scalars = volume.image->GetPointData()->GetScalars();
+    const auto own = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
+    own->ShallowCopy(scalars);
+    copy->GetPointData()->SetScalars(own);
+  }
+  return copy;
+}
+
+vtkSmartPointer<vtkImageData> CopyOfLabels(const Study& study)
+{
+  vtkImageData* const image = study.labels->image;
+  auto copy = vtkSmartPointer<vtkImageData>::New();
+  copy->CopyStructure(image);
+  copy->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  const auto numbersOf = [](vtkImageData* of)
+  { return static_cast<unsigned char*>(of->GetScalarPointer()); };
+  const std::lock_guard<std::mutex> lock(*study.labelMutex);
+  std::copy_n(numbersOf(image), image->GetNumberOfPoints(), numbersOf(copy));
+  return copy;
 }
 
 std::shared_ptr<const Study> WithoutLabels(const Study& scan)
@@ -61,6 +101,7 @@ std::shared_ptr<const Study> WithoutLabels(const Study& scan)
   Study bare = scan;
   bare.segmentStatistics.clear();
   bare.labels.reset();
+  bare.areSegmentsCounted = true;
   return std::make_shared<const Study>(std::move(bare));
 }
 

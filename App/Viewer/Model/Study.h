@@ -9,6 +9,7 @@
 
 #include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace varimarch
@@ -24,6 +25,10 @@ struct Study
   int labelVersion = 0; ///< a number for the voxels of the labels, see SceneModel::LabelVersion
   std::vector<RegionStatistics>
     segmentStatistics = {}; ///< the volume in each segment of the labels
+  /// False if these statistics, and the sizes of the segments, are those of earlier voxels.
+  bool areSegmentsCounted = true;
+  /// Held while the voxels of the labels are written, or copied in another thread.
+  std::shared_ptr<std::mutex> labelMutex = std::make_shared<std::mutex>();
   /// The volumes over this one, in the order of the scene's overlays.
   std::vector<std::shared_ptr<const Study>> overlays = {};
   /// Counts of all times of the volume; null until they have been read, and for a single time.
@@ -39,7 +44,8 @@ VolumeSize SizeOfVolume(const LoadedVolume& volume);
 /// @throws std::runtime_error with one sentence if it does not
 void CheckSizeOfTime(const LoadedVolume& ofTime, const VolumeSize& expected);
 
-/// The same study at another time of its volume, which has the same size.
+/// The same study at another time of its volume, which has the same size. Segments are not counted
+/// anew.
 std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTime);
 
 /// Another form of a volume, with the overlays of that volume.
@@ -58,6 +64,18 @@ std::shared_ptr<const Study> WithVolume(
 
 /// The same volume with other labels.
 std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels);
+
+/// The same volume with the sizes and statistics of the segments as they are.
+/// @param image    as SharedCopy returns it, in another thread than the window's
+std::shared_ptr<const Study> WithCounts(const Study& study, vtkImageData* image);
+
+/// A copy of a volume for another thread, which shares the voxels. VTK keeps what it finds out
+/// about an array with the array, so each thread has arrays of its own, except for voxels in a
+/// file, which are known by their array.
+vtkSmartPointer<vtkImageData> SharedCopy(const LoadedVolume& volume);
+
+/// A copy of the numbers of the labels, which the window's thread may write meanwhile.
+vtkSmartPointer<vtkImageData> CopyOfLabels(const Study& study);
 
 /// The same volume without labels.
 std::shared_ptr<const Study> WithoutLabels(const Study& scan);

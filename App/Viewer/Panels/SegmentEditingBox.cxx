@@ -5,7 +5,9 @@
 #include <QButtonGroup>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -54,9 +56,11 @@ SegmentEditingBox::SegmentEditingBox(SceneModel* model, SegmentEditor* editor, Q
   this->MakeTools(grid);
   this->MakeNumbers(grid);
   this->MakeActions(grid);
+  this->working = this->MakeWorking();
   auto* const column = new QVBoxLayout(this);
   column->addWidget(added);
   column->addWidget(this->edits);
+  column->addWidget(this->working);
   column->addWidget(this->hint);
   connect(editor, &SegmentEditor::Unchanged, this,
     [this]
@@ -64,8 +68,28 @@ SegmentEditingBox::SegmentEditingBox(SceneModel* model, SegmentEditor* editor, Q
       this->hint->setText(tr("Nothing has changed: the value there is outside the range, or "
                              "no voxels are left."));
     });
+  connect(editor, &SegmentEditor::Failed, this->hint, &QLabel::setText);
+  connect(editor, &SegmentEditor::WorkingChanged, added, &QWidget::setDisabled);
   connect(model, &SceneModel::Changed, this, &SegmentEditingBox::Show);
   this->setEnabled(false);
+}
+
+QWidget* SegmentEditingBox::MakeWorking()
+{
+  auto* const row = new QWidget;
+  auto* const progress = new QProgressBar;
+  progress->setRange(0, 0); // nobody knows how far a region reaches
+  progress->setAccessibleName(tr("Working on the segment"));
+  QPushButton* const cancel = this->Button("cancelSegmentWork", tr("Cancel"));
+  auto* const layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(progress, 1);
+  layout->addWidget(cancel);
+  connect(cancel, &QPushButton::clicked, this->editor, &SegmentEditor::Cancel);
+  connect(this->editor, &SegmentEditor::WorkingChanged, row, &QWidget::setVisible);
+  connect(this->editor, &SegmentEditor::WorkingChanged, this->edits, &QWidget::setDisabled);
+  row->hide();
+  return row;
 }
 
 QPushButton* SegmentEditingBox::Button(const char* name, const QString& text)

@@ -30,6 +30,7 @@ private:
   void MakeTools(QGridLayout* grid);
   void MakeNumbers(QGridLayout* grid);
   void MakeActions(QGridLayout* grid);
+  QWidget* MakeWorking();
   QPushButton* Button(const char* name, const QString& text);
   QDoubleSpinBox* Number(const char* name, const QString& meaning, double value);
   void Show(ScenePart part);
@@ -43,6 +44,7 @@ private:
   QDoubleSpinBox* radius;
   QDoubleSpinBox* island;
   QDoubleSpinBox* deviation;
+  QWidget* working; ///< shown while the editor works
   QLabel* hint;
   QWidget* edits; ///< all that needs a segment
 };

@@ -232,7 +232,7 @@ void SegmentsPanel::ShowStatistics(int row)
   for (const auto& [column, text] : texts)
   {
     QTableWidgetItem* const item = this->Item(row, column);
-    item->setText(text);
+    item->setText(study.areSegmentsCounted ? text : QStringLiteral("…"));
     item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
   }
@@ -368,6 +368,7 @@ void SegmentsPanel::SaveStatistics()
   }
   try
   {
+    this->model->CountSegments();
     WriteFileWhole(path.toStdString(),
       CsvOf(this->model->EditedLabels()->segments, this->model->EditedStudy()->segmentStatistics));
     emit this->Saved(path);

@@ -2,15 +2,12 @@
 
 #include "Scene/OffscreenView.h"
 #include "Viewer/View/MovingImageSize.h"
-#include "Viewer/View/ShownParts.h"
 #include "Viewer/View/VtkPictures.h"
 
 #include <QElapsedTimer>
 #include <QMetaObject>
 
 #include <vtkCallbackCommand.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <condition_variable>
@@ -34,75 +31,51 @@ constexpr double LongestPartOfThreadSeconds = 0.1;
 struct Order
 {
   Scene scene;
-  ShownVoxels voxels;
+  std::shared_ptr<const Study> study;
+  ShownVoxels voxels;          // labels are still the window's
   std::set<ScenePart> changed; // since the last order that was drawn
   int volume = 0;              // a number for the volume
   std::optional<WantedPicture> wanted;
 };
 
-// A copy that shares the voxels. VTK keeps the range of an array with the array, so each thread has
-// arrays of its own, except for voxels in a file, which are known by their array.
-vtkSmartPointer<vtkImageData> CopyOf(const LoadedVolume& volume)
-{
-  auto copy = vtkSmartPointer<vtkImageData>::New();
-  copy->ShallowCopy(volume.image);
-  if (!volume.isOnDisk)
-  {
-    vtkDataArray* const scalars = volume.image->GetPointData()->GetScalars();
-    const auto own = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
-    own->ShallowCopy(scalars);
-    copy->GetPointData()->SetScalars(own);
-  }
-  return copy;
-}
-
-// Voxels of labels are copied too, because they are edited in their place.
-std::shared_ptr<const LabelMap> CopyOf(const std::shared_ptr<const LabelMap>& labels)
-{
-  if (!labels)
-  {
-    return nullptr;
-  }
-  auto copy = std::make_shared<LabelMap>(*labels);
-  copy->image = vtkSmartPointer<vtkImageData>::New();
-  copy->image->DeepCopy(labels->image);
-  return copy;
-}
-
-void CopyVoxels(ScenePart part, const Study& study, ShownVoxels& voxels)
-{
-  const bool isNew = part == ScenePart::Volume;
-  if (isNew || part == ScenePart::Voxels)
-  {
-    voxels.volume = CopyOf(study.volume);
-  }
-  if (isNew || part == ScenePart::Labels)
-  {
-    voxels.labels = CopyOf(study.labels);
-  }
-  if (isNew || part == ScenePart::Labels || part == ScenePart::Overlays)
-  {
-    voxels.overlays.clear();
-    for (const auto& overlay : study.overlays)
-    {
-      voxels.overlays.push_back({ CopyOf(overlay->volume), CopyOf(overlay->labels) });
-    }
-  }
-}
-
 // The view of the thread, which lives and dies there.
 class ThreadView
 {
 public:
-  ThreadPicture Draw(const Order& order);
+  ThreadPicture Draw(Order order);
 
 private:
+  void CopyLabels(Order& order);
   void Show(const Order& order, const QSize& size);
+  vtkSmartPointer<vtkImageData> SharedMask();
 
   std::unique_ptr<OffscreenView> view;
+  ImageCopies labels;
   QSize pixels;
   MovingImageSize moving;
 };
+
+// Labels are large, so they are copied here. They may be newer than the order: then another order
+// follows.
+void ThreadView::CopyLabels(Order& order)
+{
+  this->labels.Begin();
+  const auto copyFor = [this](const Study& study, std::shared_ptr<const LabelMap>& shown)
+  {
+    if (shown)
+    {
+      auto copy = std::make_shared<LabelMap>(*shown);
+      copy->image =
+        this->labels.Of(shown->image, study.labelVersion, [&] { return CopyOfLabels(study); });
+      shown = copy;
+    }
+  };
+  copyFor(*order.study, order.voxels.labels);
+  for (std::size_t i = 0; i < order.voxels.overlays.size(); ++i)
+  {
+    copyFor(*order.study->overlays[i], order.voxels.overlays[i].labels);
+  }
+}
 
 vtkVariationFieldVolumeMapper* MapperOf(OffscreenView& view)
 {
@@ -139,8 +112,16 @@ void ThreadView::Show(const Order& order, const QSize& size)
   this->pixels = size;
 }
 
-ThreadPicture ThreadView::Draw(const Order& order)
+// The mask for the window, which looks up what is removed.
+vtkSmartPointer<vtkImageData> ThreadView::SharedMask()
 {
+  vtkImageData* const mask = this->view->Pipeline().Mask();
+  return mask ? SharedCopy({ mask, {}, {} }) : nullptr;
+}
+
+ThreadPicture ThreadView::Draw(Order order)
+{
+  this->CopyLabels(order);
   const WantedPicture& wanted = *order.wanted;
   const double allocatedSeconds = 1.0 / wanted.picturesPerSecond;
   const bool isMoving = wanted.picturesPerSecond > 1.0;
@@ -155,6 +136,7 @@ ThreadPicture ThreadView::Draw(const Order& order)
   picture.seconds = this->view->Render();
   picture.image = ImageOfBytes(this->view->Bytes()).convertToFormat(QImage::Format_RGB32);
   picture.numbers = NumbersOf(MapperOf(*this->view));
+  picture.mask = this->SharedMask();
   picture.wanted = wanted;
   if (isMoving && isFamiliar)
   {
@@ -249,40 +231,42 @@ PictureThread::~PictureThread()
   this->work->thread.join();
 }
 
-void PictureThread::Take(ScenePart part, const Scene& scene, const Study& study)
+void PictureThread::Take(
+  ScenePart part, const Scene& scene, const std::shared_ptr<const Study>& study)
 {
-  if (part == ScenePart::Voxels && study.volume.image == this->copied)
+  if (part == ScenePart::Voxels && study->volume.image == this->copied)
   {
     return; // only the counts of the values are others
   }
-  this->copied = study.volume.image;
-  // Labels are large, and copied while the thread may go on.
-  ShownVoxels voxels;
-  CopyVoxels(part, study, voxels);
+  this->copied = study->volume.image;
+  ShownVoxels voxels = this->SharedVoxels(*study);
   const std::lock_guard<std::mutex> lock(this->work->mutex);
   Order& next = this->work->next;
   next.scene = scene;
+  next.study = study;
   next.changed.insert(part);
+  next.voxels = std::move(voxels);
   if (part == ScenePart::Volume)
   {
     ++next.volume;
     this->work->finished.reset();
     this->last.reset();
-    next.voxels = std::move(voxels);
   }
-  else if (part == ScenePart::Voxels)
+}
+
+ShownVoxels PictureThread::SharedVoxels(const Study& study)
+{
+  constexpr int OnlyVersion = 0; // voxels of volumes do not change
+  this->shared.Begin();
+  const auto share = [this](vtkSmartPointer<vtkImageData>& image, const LoadedVolume& volume)
+  { image = this->shared.Of(image, OnlyVersion, [&] { return SharedCopy(volume); }); };
+  ShownVoxels voxels = VoxelsOf(study);
+  share(voxels.volume, study.volume);
+  for (std::size_t i = 0; i < voxels.overlays.size(); ++i)
   {
-    next.voxels.volume = std::move(voxels.volume);
+    share(voxels.overlays[i].image, study.overlays[i]->volume);
   }
-  else if (part == ScenePart::Labels)
-  {
-    next.voxels.labels = std::move(voxels.labels);
-    next.voxels.overlays = std::move(voxels.overlays);
-  }
-  else if (part == ScenePart::Overlays)
-  {
-    next.voxels.overlays = std::move(voxels.overlays);
-  }
+  return voxels;
 }
 
 void PictureThread::Draw(const WantedPicture& wanted)

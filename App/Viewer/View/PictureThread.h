@@ -2,7 +2,9 @@
 #define Varimarch_Viewer_PictureThread_h
 
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/View/ImageCopies.h"
 #include "Viewer/View/PictureReport.h"
+#include "Viewer/View/ShownParts.h"
 
 #include <QImage>
 #include <QObject>
@@ -33,7 +35,8 @@ struct ThreadPicture
 {
   QImage image; ///< over the background of the scene; smaller than wanted while the view moves
   PictureNumbers numbers;
-  double seconds = 0.0; ///< the time to draw it, or this part of it
+  double seconds = 0.0;                    ///< the time to draw it, or this part of it
+  vtkSmartPointer<vtkImageData> mask = {}; ///< as ScenePipeline::Mask
   WantedPicture wanted;
 };
 
@@ -52,7 +55,7 @@ public:
 
   /// Takes a part of a scene for the next picture. A new volume forgets the last picture, and none
   /// of the old volume follows.
-  void Take(ScenePart part, const Scene& scene, const Study& study);
+  void Take(ScenePart part, const Scene& scene, const std::shared_ptr<const Study>& study);
 
   /// Draws a picture of what was taken, unless another wish comes before it is begun.
   void Draw(const WantedPicture& wanted);
@@ -74,8 +77,10 @@ private:
   struct Work;
 
   void TakePicture();
+  ShownVoxels SharedVoxels(const Study& study);
 
   std::unique_ptr<Work> work;           ///< shared with the thread
+  ImageCopies shared;                   ///< the volumes that the thread draws
   vtkSmartPointer<vtkImageData> copied; ///< the image whose copy the thread has
   std::optional<ThreadPicture> last;
 };

@@ -18,6 +18,7 @@
 #include <vtkVariationFieldVolumeMapper.h>
 
 #include <cmath>
+#include <utility>
 
 namespace varimarch
 {
@@ -51,7 +52,7 @@ protected:
       DrawOverlay(painter,
         { this->view->model->CurrentScene(), this->view->texts,
           this->view->model->CurrentStudy()->volume.image },
-        this->view->Frame(), this->view->pipeline->Mask(), { report });
+        this->view->Frame(), this->view->Mask(), { report });
       this->view->tools.Paint(painter);
     }
   }
@@ -211,8 +212,12 @@ bool VolumeView::Takes(ScenePart part)
     this->TakeVolume();
     return true;
   }
-  if (!ShowPart(
-        part, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()), *this->pipeline))
+  if (part == ScenePart::Cuts && this->IsDrawnInThread())
+  {
+    this->hasCuts = false;
+  }
+  else if (!ShowPart(part, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()),
+             *this->pipeline))
   {
     return false;
   }
@@ -222,6 +227,25 @@ bool VolumeView::Takes(ScenePart part)
   }
   this->Tell(part);
   return true;
+}
+
+// Masks take long to make, so the pipeline of the window has none until it draws.
+void VolumeView::TakeCuts()
+{
+  if (this->pipeline && !std::exchange(this->hasCuts, true))
+  {
+    this->pipeline->SetCuts(this->model->CurrentScene().cuts);
+  }
+}
+
+vtkImageData* VolumeView::Mask() const
+{
+  if (!this->IsDrawnInThread())
+  {
+    return this->pipeline->Mask();
+  }
+  const ThreadPicture* const picture = this->thread->Last();
+  return picture ? picture->mask.Get() : nullptr;
 }
 
 void VolumeView::TakeMeasures()
@@ -236,10 +260,14 @@ void VolumeView::TakeVolume()
   {
     this->window->RemoveRenderer(this->pipeline->Renderer());
   }
-  this->pipeline.emplace(
-    this->model->CurrentScene(), this->model->CurrentStudy()->volume.image, this->kind);
-  ShowPart(ScenePart::Volume, this->model->CurrentScene(), VoxelsOf(*this->model->CurrentStudy()),
-    *this->pipeline);
+  Scene scene = this->model->CurrentScene();
+  this->hasCuts = !this->IsDrawnInThread();
+  if (!this->hasCuts)
+  {
+    scene.cuts = {};
+  }
+  this->pipeline.emplace(scene, this->model->CurrentStudy()->volume.image, this->kind);
+  ShowPart(ScenePart::Volume, scene, VoxelsOf(*this->model->CurrentStudy()), *this->pipeline);
   // The corner of the view says whether the error tolerance is kept; the mapper need not warn.
   this->pipeline->Mapper()->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
   this->events->Connect(this->pipeline->Mapper(), GraphicsResetEvent, this, SLOT(LoseGraphics()));

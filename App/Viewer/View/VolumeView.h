@@ -128,6 +128,8 @@ private:
   void TakeContext();
   void Update(ScenePart part);
   bool Takes(ScenePart part);
+  void TakeCuts();
+  vtkImageData* Mask() const; ///< the part that is shown; null if nothing is removed
   void FollowCamera();
   void TakeVolume();
   void TakeMeasures();
@@ -157,7 +159,8 @@ private:
   vtkNew<vtkEventQtSlotConnect> events;
   std::optional<ScenePipeline> pipeline;
   VolumeSurface* surface;
-  QWidget* overlay; ///< an OverlayWidget
+  bool hasCuts = true; ///< the pipeline has the cuts of the scene; not while the thread draws
+  QWidget* overlay;    ///< an OverlayWidget
   QVTKInteractorAdapter input;
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
   FramePacer pacer;

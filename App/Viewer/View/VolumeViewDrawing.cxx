@@ -12,8 +12,6 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
-#include <new>
-
 namespace varimarch
 {
 
@@ -85,6 +83,10 @@ void VolumeView::ApplyRefining()
     ours->SetLongestPartSeconds(this->refines ? LongestPartSeconds : 0.0);
   }
   const bool isDrawnHere = !this->IsDrawnInThread();
+  if (isDrawnHere)
+  {
+    this->TakeCuts();
+  }
   this->surface->setVisible(isDrawnHere);
   this->window->GetInteractor()->SetEnableRender(isDrawnHere);
   if (this->pipeline)
@@ -123,16 +125,9 @@ void VolumeView::Tell(ScenePart part)
   {
     return;
   }
-  try
-  {
-    Scene scene = this->model->CurrentScene();
-    scene.camera = this->CurrentCamera();
-    this->thread->Take(part, scene, *this->model->CurrentStudy());
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->GiveUpThread(); // labels are copied for it
-  }
+  Scene scene = this->model->CurrentScene();
+  scene.camera = this->CurrentCamera();
+  this->thread->Take(part, scene, this->model->CurrentStudy());
 }
 
 void VolumeView::TakePicture()

@@ -19,7 +19,7 @@ std::optional<std::array<double, 3>> VolumeView::PointAt(const QPointF& place) c
 {
   const SightLine sight = this->Frame().sightLineAt(place);
   return PointSeen(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
-    NumbersOf(sight.nearest), NumbersOf(sight.farthest), this->pipeline->Mask());
+    NumbersOf(sight.nearest), NumbersOf(sight.farthest), this->Mask());
 }
 
 // The point of the edited volume that is seen if it is alone. The cuts are those of the first.
