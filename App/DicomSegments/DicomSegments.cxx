@@ -1,5 +1,6 @@
 #include "DicomSegments/DicomSegments.h"
 
+#include "DicomSegments/ScanImages.h"
 #include "Scene/OutputFile.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -24,8 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
-#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -50,27 +49,6 @@ void Require(const OFCondition& condition, const std::string& path)
   }
 }
 
-void CheckPlace(const std::vector<std::string>& images, const std::string& path)
-{
-  for (const std::string& image : images)
-  {
-    std::error_code unknown;
-    if (std::filesystem::equivalent(path, image, unknown))
-    {
-      throw std::runtime_error(
-        path + ": this is an image of the scan, which is not replaced; choose another name");
-    }
-  }
-}
-
-// A decimal string has at most 16 characters.
-OFString Decimal(double number)
-{
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.10g", number);
-  return text.data();
-}
-
 // A name as the label of a segment: DICOM separates values by backslashes.
 OFString LabelOf(const Segment& segment)
 {
@@ -88,21 +66,6 @@ OFString LabelOf(const Segment& segment)
     }
   }
   return { label.c_str(), bytes };
-}
-
-DcmFileFormat ImageOfScan(const std::string& image)
-{
-  DcmFileFormat file;
-  const OFCondition read = file.loadFileUntilTag(
-    image.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
-  if (read.bad())
-  {
-    throw std::runtime_error(image +
-      ": expected an image of the scan, whose patient and study the "
-      "segments are of, found: " +
-      read.text());
-  }
-  return file;
 }
 
 /// An image of the scan.
@@ -311,7 +274,7 @@ void AddNames(const std::vector<Segment>& segments, DcmDataset& written, const s
 void WriteDicomSegments(const LabelMap& labels, const std::vector<Segment>& segments,
   const std::vector<std::string>& images, const std::string& path)
 {
-  CheckPlace(images, path);
+  RequireNoImage(images, path);
   // DCMTK would print about each attribute that an old scanner left out.
   OFLog::configure(OFLogger::OFF_LOG_LEVEL);
   std::array<int, 3> size;

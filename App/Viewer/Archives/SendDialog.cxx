@@ -1,6 +1,7 @@
 #include "Viewer/Archives/SendDialog.h"
 
 #include "Archive/Archive.h"
+#include "DicomMeasures/DicomMeasures.h"
 #include "Readers/Dicom/TaggedSeries.h"
 #include "Readers/PrivateFolder.h"
 #include "Scene/ImageFiles.h"
@@ -43,18 +44,33 @@ CaptureIdentity IdentityOf(const FileSource& scan, const TaskProgress& goesOn)
   return identity;
 }
 
-// Sends a picture, with the identity of a scan if one is given.
-void SendPicture(vtkImageData* picture, PictureOrigin origin, const std::optional<FileSource>& scan,
-  Archive& archive, const TaskProgress& goesOn)
+/// All that is sent.
+struct Parcel
+{
+  vtkSmartPointer<vtkImageData> picture;
+  PictureOrigin origin;
+  std::optional<FileSource> scan; ///< the scan whose patient the image names; empty: nobody
+  std::vector<Measure> measures;  ///< to send as a report of the scan
+  LoadedVolume volume;            ///< that they are of
+};
+
+void SendParcel(Parcel parcel, Archive& archive, const TaskProgress& goesOn)
 {
   const PrivateFolder folder;
-  const std::string path = (folder.Path() / "image.dcm").string();
-  if (scan)
+  std::vector<std::string> files = { (folder.Path() / "image.dcm").string() };
+  if (parcel.scan)
   {
-    origin.identity = IdentityOf(*scan, goesOn);
+    parcel.origin.identity = IdentityOf(*parcel.scan, goesOn);
   }
-  WritePicture(picture, origin, path);
-  archive.Send({ path }, goesOn);
+  WritePicture(parcel.picture, parcel.origin, files.front());
+  if (parcel.scan && !parcel.measures.empty())
+  {
+    files.push_back((folder.Path() / "measurements.dcm").string());
+    ReadProgress progress(goesOn);
+    const TaggedSeries images(parcel.scan->path, parcel.scan->series, progress);
+    WriteDicomMeasures(parcel.measures, parcel.volume, images.Files(), files.back());
+  }
+  archive.Send(files, goesOn);
 }
 
 }
@@ -66,6 +82,7 @@ SendDialog::SendDialog(SceneModel* model, QSize pixels, QWidget* parent)
   , choice(new ArchiveChoice)
   , overlay(new QCheckBox(tr("Directions and measurements")))
   , identity(new QCheckBox(tr("With the patient and the study of the scan")))
+  , report(new QCheckBox(tr("The measurements too, as a structured report")))
   , status(new QLabel)
   , progress(new QProgressBar)
 {
@@ -78,6 +95,13 @@ SendDialog::SendDialog(SceneModel* model, QSize pixels, QWidget* parent)
   this->identity->setEnabled(std::holds_alternative<FileSource>(model->CurrentScene().volume));
   this->identity->setToolTip(
     tr("Otherwise the image names nobody, and the archive lists it as a study of its own"));
+  this->report->setObjectName("report");
+  this->report->setEnabled(false);
+  const auto study = model->CurrentStudy();
+  const bool canReport =
+    study && !study->volume.frameOfReference.empty() && !model->CurrentScene().measures.empty();
+  connect(this->identity, &QCheckBox::toggled, this->report,
+    [this, canReport](bool hasIdentity) { this->report->setEnabled(hasIdentity && canReport); });
   this->status->setObjectName("status");
   this->status->setTextFormat(Qt::PlainText);
   this->status->setWordWrap(true);
@@ -89,6 +113,7 @@ SendDialog::SendDialog(SceneModel* model, QSize pixels, QWidget* parent)
   column->addWidget(this->choice);
   column->addWidget(this->overlay);
   column->addWidget(this->identity);
+  column->addWidget(this->report);
   column->addWidget(this->progress);
   column->addWidget(this->status);
   column->addWidget(buttons);
@@ -126,11 +151,19 @@ void SendDialog::Send()
       scene, *this->model->CurrentStudy(), { this->pixels, false, this->overlay->isChecked() });
     const vtkSmartPointer<vtkImageData> picture = BytesOfImage(maker.Draw());
     const auto* const file = std::get_if<FileSource>(&scene.volume);
-    const auto scan = this->identity->isChecked() && file ? std::optional(*file) : std::nullopt;
-    this->task.Start(
-      [=, address = archive->address, secret = *password,
-        origin = PictureOrigin{ scene.render, MapperKind::Varimarch }](const TaskProgress& goesOn)
-      { SendPicture(picture, origin, scan, *ArchiveAt(address, secret), goesOn); },
+    Parcel parcel = { picture, { scene.render, MapperKind::Varimarch }, {}, {},
+      this->model->CurrentStudy()->volume };
+    parcel.volume.image = SharedCopy(parcel.volume);
+    if (this->identity->isChecked() && file)
+    {
+      parcel.scan = *file;
+    }
+    if (this->report->isEnabled() && this->report->isChecked())
+    {
+      parcel.measures = scene.measures;
+    }
+    this->task.Start([=, address = archive->address, secret = *password](const TaskProgress& goesOn)
+      { SendParcel(parcel, *ArchiveAt(address, secret), goesOn); },
       [this] { this->status->setText(tr("The archive has stored the image.")); });
     this->status->setText(tr("Sending…"));
   }

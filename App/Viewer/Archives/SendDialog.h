@@ -18,7 +18,8 @@ namespace varimarch
 class SceneModel;
 
 /// Renders the image of the scene, and sends it to an archive as a DICOM secondary capture: without
-/// data of the patient, or with those of the scan.
+/// data of the patient, or with those of the scan. With those it can send the measurements too, as
+/// a structured report.
 class SendDialog : public QDialog
 {
   Q_OBJECT
@@ -36,6 +37,7 @@ private:
   ArchiveChoice* choice;
   QCheckBox* overlay;
   QCheckBox* identity;
+  QCheckBox* report;
   QLabel* status;
   QProgressBar* progress;
   QPushButton* send;

@@ -1,11 +1,14 @@
 #include "Viewer/Panels/MeasuresPanel.h"
 
+#include "DicomMeasures/DicomMeasures.h"
+#include "Readers/Dicom/TaggedSeries.h"
 #include "Scene/MeasureKinds.h"
 #include "Scene/MeasuresCsv.h"
 #include "Scene/OutputFile.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/SaveDialog.h"
+#include "Viewer/WaitCursor.h"
 
 #include <QGridLayout>
 #include <QHeaderView>
@@ -28,7 +31,7 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   , goTo(new QPushButton(tr("Go to")))
   , remove(new QPushButton(tr("Remove")))
   , removeAll(new QPushButton(tr("Remove all")))
-  , save(new QPushButton(tr("Save as CSV…")))
+  , save(new QPushButton(tr("Save…")))
 {
   auto* const hint = new QLabel(
     tr("Choose a measurement above, then drag in the volume or in a slice. Points can be dragged "
@@ -63,7 +66,7 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   connect(this->goTo, &QPushButton::clicked, this, &MeasuresPanel::GoToSelected);
   connect(this->remove, &QPushButton::clicked, this, &MeasuresPanel::RemoveSelected);
   connect(this->removeAll, &QPushButton::clicked, this, &MeasuresPanel::RemoveAll);
-  connect(this->save, &QPushButton::clicked, this, &MeasuresPanel::SaveTable);
+  connect(this->save, &QPushButton::clicked, this, &MeasuresPanel::Save);
   connect(model, &SceneModel::Changed, this, &MeasuresPanel::Show);
   this->setEnabled(false);
 }
@@ -170,24 +173,46 @@ void MeasuresPanel::RemoveAll()
     [](Scene& scene) { scene.measures.clear(); });
 }
 
-void MeasuresPanel::SaveTable()
+void MeasuresPanel::Save()
 {
-  const QString path =
-    ChosenFileToSave(this, tr("Save the measurements"), { tr("Table (*.csv)") }, "measurements");
+  const LoadedVolume& volume = this->model->CurrentStudy()->volume;
+  QStringList filters = { tr("Table (*.csv)") };
+  if (!volume.frameOfReference.empty())
+  {
+    filters.append(tr("DICOM structured report (*.dcm)"));
+  }
+  const QString path = ChosenFileToSave(this, tr("Save the measurements"), filters, "measurements");
   if (path.isEmpty())
   {
     return;
   }
   try
   {
-    WriteFileWhole(path.toStdString(),
-      CsvOf(this->model->CurrentScene().measures, this->model->CurrentStudy()->volume));
+    const WaitCursor waiting;
+    if (path.endsWith(".dcm", Qt::CaseInsensitive))
+    {
+      this->WriteReport(path.toStdString());
+    }
+    else
+    {
+      WriteFileWhole(path.toStdString(), CsvOf(this->model->CurrentScene().measures, volume));
+    }
     emit this->Saved(path);
   }
   catch (const std::exception& problem)
   {
     QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
   }
+}
+
+// Only DICOM has frames of reference, so the scan is a series of files.
+void MeasuresPanel::WriteReport(const std::string& path) const
+{
+  const Scene& scene = this->model->CurrentScene();
+  const auto& scan = std::get<FileSource>(scene.volume);
+  ReadProgress progress([](double) { return true; });
+  const TaggedSeries images(scan.path, scan.series, progress);
+  WriteDicomMeasures(scene.measures, this->model->CurrentStudy()->volume, images.Files(), path);
 }
 
 }

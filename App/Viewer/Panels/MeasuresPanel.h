@@ -32,7 +32,8 @@ private:
   void GoToSelected();
   void RemoveSelected();
   void RemoveAll();
-  void SaveTable();
+  void Save();
+  void WriteReport(const std::string& path) const;
 
   SceneModel* model;
   QTableWidget* table; ///< in the order of the scene

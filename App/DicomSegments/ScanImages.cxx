@@ -1,0 +1,44 @@
+#include "DicomSegments/ScanImages.h"
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+namespace varimarch
+{
+
+void RequireNoImage(const std::vector<std::string>& images, const std::string& path)
+{
+  for (const std::string& image : images)
+  {
+    std::error_code unknown;
+    if (std::filesystem::equivalent(path, image, unknown))
+    {
+      throw std::runtime_error(
+        path + ": this is an image of the scan, which is not replaced; choose another name");
+    }
+  }
+}
+
+DcmFileFormat ImageOfScan(const std::string& image)
+{
+  DcmFileFormat file;
+  const OFCondition read = file.loadFileUntilTag(
+    image.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData);
+  if (read.bad())
+  {
+    throw std::runtime_error(image +
+      ": expected an image of the scan, whose patient and study are needed, found: " + read.text());
+  }
+  return file;
+}
+
+OFString Decimal(double number)
+{
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.10g", number);
+  return text.data();
+}
+
+}

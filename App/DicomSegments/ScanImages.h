@@ -1,0 +1,28 @@
+#ifndef Varimarch_DicomSegments_ScanImages_h
+#define Varimarch_DicomSegments_ScanImages_h
+
+#include <dcmtk/config/osconfig.h>
+
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <string>
+#include <vector>
+
+namespace varimarch
+{
+
+// The images of a scan, for DICOM objects that are derived from it.
+
+/// @throws std::runtime_error if a path is that of an image, which is not to be replaced
+void RequireNoImage(const std::vector<std::string>& images, const std::string& path);
+
+/// Reads the attributes of an image, without its pixels.
+/// @throws std::runtime_error if it cannot be read
+DcmFileFormat ImageOfScan(const std::string& image);
+
+/// A number as a decimal string of DICOM, which has at most 16 characters.
+OFString Decimal(double number);
+
+}
+
+#endif
