@@ -113,15 +113,63 @@ CurvePath::CurvePath(const std::vector<std::array<double, 3>>& pointsMm)
       this->points.push_back(span.At(double(piece) / PiecesPerSpan));
     }
   }
+  this->FindLengths();
+  if (this->LengthMm() > 0.0)
+  {
+    this->FindDirections();
+  }
+}
+
+// The chord has a length unless the curve is closed.
+CurvePath CurvePath::Stretched(double turnDegrees) const
+{
+  const glm::dvec3 chord = this->points.back() - this->points.front();
+  const glm::dvec3 axis = glm::length(chord) > 0.0 ? glm::normalize(chord) : this->along.front();
+  const glm::dvec3 across = glm::angleAxis(glm::radians(turnDegrees), axis) * FirstAcross(axis);
+  double least = glm::dot(this->points.front(), across);
+  double most = least;
+  for (const glm::dvec3& point : this->points)
+  {
+    least = std::min(least, glm::dot(point, across));
+    most = std::max(most, glm::dot(point, across));
+  }
+  CurvePath stretched;
+  for (const glm::dvec3& point : this->points)
+  {
+    const double height = glm::dot(point, across) - 0.5 * (least + most);
+    stretched.points.push_back(point - height * across);
+  }
+  stretched.FindLengths();
+  stretched.FindAlong();
+  stretched.across.assign(stretched.points.size(), across);
+  return stretched;
+}
+
+void CurvePath::FindLengths()
+{
   this->lengthsMm = { 0.0 };
   for (std::size_t i = 1; i < this->points.size(); ++i)
   {
     this->lengthsMm.push_back(
       this->lengthsMm.back() + glm::distance(this->points[i - 1], this->points[i]));
   }
-  if (this->LengthMm() > 0.0)
+}
+
+// A curve may return the way it came, and a stretched one may rest.
+void CurvePath::FindAlong()
+{
+  const int last = int(this->points.size()) - 1;
+  const auto chordAt = [&](int i)
+  { return this->points[std::min(i + 1, last)] - this->points[std::max(i - 1, 0)]; };
+  int first = 0;
+  while (first < last && glm::length(chordAt(first)) == 0.0)
   {
-    this->FindDirections();
+    ++first;
+  }
+  for (int i = 0; i <= last; ++i)
+  {
+    const glm::dvec3 chord = chordAt(std::max(i, first));
+    this->along.push_back(glm::length(chord) > 0.0 ? glm::normalize(chord) : this->along.back());
   }
 }
 
@@ -130,13 +178,8 @@ CurvePath::CurvePath(const std::vector<std::array<double, 3>>& pointsMm)
 // the reflected and the true direction along the curve.
 void CurvePath::FindDirections()
 {
+  this->FindAlong();
   const int last = int(this->points.size()) - 1;
-  for (int i = 0; i <= last; ++i)
-  {
-    const glm::dvec3 chord = this->points[std::min(i + 1, last)] - this->points[std::max(i - 1, 0)];
-    const bool turnsBack = glm::length(chord) == 0.0; // a curve may return the way it came
-    this->along.push_back(turnsBack ? this->along.back() : glm::normalize(chord));
-  }
   this->across = { FirstAcross(this->along[0]) };
   const auto reflected = [](const glm::dvec3& vector, const glm::dvec3& normal)
   {

@@ -19,10 +19,21 @@ public:
   /// @param pointsMm  at least one; a point at the place of the one before is left out
   explicit CurvePath(const std::vector<std::array<double, 3>>& pointsMm);
 
+  /// The curve moved into a plane along the direction across its chord, which then lies across
+  /// every place of it. The picture along it is the stretched one of A. Kanitsar and others ("CPR -
+  /// curved planar reformation", 2002): that of the surface that a line of this direction sweeps
+  /// along the curve, in which all distances within the surface are right. Points() are as many as
+  /// here.
+  /// @param turnDegrees  turns the direction about the chord
+  CurvePath Stretched(double turnDegrees) const;
+
   double LengthMm() const { return this->lengthsMm.back(); }
 
   /// Points along the curve, close enough to draw lines between them.
   const std::vector<glm::dvec3>& Points() const { return this->points; }
+
+  /// The length of the curve up to each of them [mm].
+  const std::vector<double>& LengthsMm() const { return this->lengthsMm; }
 
   struct Place
   {
@@ -39,7 +50,10 @@ public:
   double NearestMm(const glm::dvec3& pointMm) const;
 
 private:
+  CurvePath() = default;
+  void FindLengths();
   void FindDirections();
+  void FindAlong();
 
   std::vector<glm::dvec3> points;
   std::vector<double> lengthsMm;  ///< length of the curve up to each point

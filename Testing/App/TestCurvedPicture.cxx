@@ -218,4 +218,102 @@ TEST(CurvedPicture, KnowsThePointOfAPixel)
   EXPECT_NEAR(glm::distance(point, glm::dvec3(h, h, 5.0 + 5.0)), 0.0, 0.1);
 }
 
+// A ramp of voxels of 1 mm, in which linear interpolation is exact.
+constexpr glm::dvec3 RampPerMm(3.0, 1.0, 2.0);
+
+vtkSmartPointer<vtkImageData> RampOf61()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(61, 61, 61);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* value = static_cast<float*>(image->GetScalarPointer());
+  for (int i = 0; i < 61 * 61 * 61; ++i)
+  {
+    *value++ = float(glm::dot(RampPerMm, glm::dvec3(i % 61, i / 61 % 61, i / (61 * 61))));
+  }
+  return image;
+}
+
+// Grey of the ramp at a point: 0 is black and 400 white.
+double RampGray(const glm::dvec3& pointMm)
+{
+  return 255.0 * glm::dot(RampPerMm, pointMm) / 400.0;
+}
+
+CurvedRequest RampRequest(double mmPerPixel)
+{
+  return { mmPerPixel, 40, 20, 0.0, { 400.0, 200.0, 0.0, SlabBlend::Maximum, false } };
+}
+
+TEST(StretchedCurve, OfAStraightLineIsTheStraightenedOne)
+{
+  const CurvePath line({ { 10, 12, 30 }, { 30, 27, 30 }, { 50, 42, 30 } });
+  const CurvedRequest request = RampRequest(line.LengthMm() / 40.0);
+  const auto image = RampOf61();
+  for (const double turn : { 0.0, 35.0, 90.0 })
+  {
+    const CurvePath stretched = line.Stretched(turn);
+    EXPECT_NEAR(stretched.LengthMm(), 50.0, 1e-9);
+    const auto picture = CurvedPicture(image, stretched, request);
+    CurvedRequest turned = request;
+    turned.turnDegrees = turn;
+    const auto straightened = CurvedPicture(image, line, turned);
+    const glm::dvec3 across = line.At(0.0, turn).across;
+    for (int pixel = 0; pixel < int(picture.size()); ++pixel)
+    {
+      const double along = (pixel % 40 + 0.5) * request.mmPerPixel;
+      const double up = (10.0 - pixel / 40 - 0.5) * request.mmPerPixel;
+      const glm::dvec3 point =
+        glm::dvec3(10, 12, 30) + along * glm::dvec3(0.8, 0.6, 0.0) + up * across;
+      ASSERT_NEAR(picture[pixel], RampGray(point), 1.0) << turn << ' ' << pixel;
+      ASSERT_NEAR(picture[pixel], straightened[pixel], 1.0);
+    }
+  }
+}
+
+// A zigzag towards the head is a plane: its stretched picture is that slice of the ramp.
+TEST(StretchedCurve, KeepsTheBendsInItsDirection)
+{
+  const CurvePath zigzag({ { 12, 20, 20 }, { 20, 20, 34 }, { 32, 20, 20 }, { 45, 20, 34 } });
+  const CurvePath stretched = zigzag.Stretched(0.0);
+  // The chord rises by 14 on 33, and the direction across it is in the same plane.
+  EXPECT_LT(stretched.LengthMm(), zigzag.LengthMm());
+  EXPECT_NEAR(stretched.LengthMm(), std::hypot(33.0, 14.0), 1.0) << "it hardly turns back";
+  const CurvedRequest request = RampRequest(stretched.LengthMm() / 40.0);
+  const auto picture = CurvedPicture(RampOf61(), stretched, request);
+  for (int pixel = 0; pixel < int(picture.size()); ++pixel)
+  {
+    const glm::dvec3 point = PointInCurved(stretched, request, pixel % 40 + 0.5, pixel / 40 + 0.5);
+    EXPECT_NEAR(point.y, 20.0, 1e-9);
+    ASSERT_NEAR(picture[pixel], RampGray(point), 1.0);
+  }
+  // Every point of the curve is at its own height over the middle row.
+  ASSERT_EQ(stretched.Points().size(), zigzag.Points().size());
+  for (std::size_t i = 0; i < zigzag.Points().size(); ++i)
+  {
+    const glm::dvec3 across = stretched.At(stretched.LengthsMm()[i], 0.0).across;
+    const glm::dvec3 moved = zigzag.Points()[i] - stretched.Points()[i];
+    EXPECT_NEAR(glm::length(glm::cross(moved, across)), 0.0, 1e-9);
+  }
+}
+
+// Bends that the direction does not see are stretched: a circle keeps its length.
+TEST(StretchedCurve, HasTheLengthOfACurveAcrossItsDirection)
+{
+  const CurvePath circle(QuarterCircle(9));
+  EXPECT_NEAR(circle.Stretched(0.0).LengthMm(), circle.LengthMm(), 1e-9) << "seen from the head";
+  EXPECT_NEAR(circle.Stretched(90.0).LengthMm(), ArcRadiusMm * std::sqrt(2.0), 0.1) << "the chord";
+}
+
+TEST(StretchedCurve, MayRestAndReturn)
+{
+  const CurvePath upAndDown({ { 0, 0, 0 }, { 0, 0, 10 }, { 10, 0, 10 }, { 10, 0, 0 } });
+  const CurvePath stretched = upAndDown.Stretched(0.0);
+  for (double distanceMm = 0.0; distanceMm <= stretched.LengthMm(); distanceMm += 1.0)
+  {
+    const CurvePath::Place place = stretched.At(distanceMm, 0.0);
+    EXPECT_TRUE(std::isfinite(place.pointMm.x) && std::isfinite(place.along.x)) << distanceMm;
+  }
+}
+
 }

@@ -6,6 +6,7 @@
 #include "Viewer/View/CurvedView.h"
 #include "Viewer/View/SliceView.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -303,6 +304,25 @@ TEST_F(Curved, IsTurnedByTheWheelAndTheKeys)
   this->model.History()->undo();
   EXPECT_EQ(this->model.CurrentScene().slices.curveTurnDegrees, 0.0);
   EXPECT_EQ(this->view.grab().toImage(), before);
+}
+
+TEST_F(Curved, IsStretchedByTheContextMenuUntilItIsStraightened)
+{
+  this->AddCurve();
+  this->model.Edit(
+    ScenePart::Slices, "turn", [](Scene& scene) { scene.slices.curveTurnDegrees = 90.0; });
+  const QImage straightened = this->view.grab().toImage();
+  this->view.findChild<QAction*>("stretchedCurve")->trigger();
+  EXPECT_NE(this->view.grab().toImage(), straightened);
+  // The bend lies in the picture, so it ends after the chord of 80 mm.
+  const auto last = this->view.PointAt({ this->view.width() - 0.001, 0.5 * this->view.height() });
+  const auto first = this->view.PointAt({ 0.0, 0.5 * this->view.height() });
+  EXPECT_NEAR(glm::distance(*last, *first), 80.0, 0.01);
+  EXPECT_TRUE(CurvedView(&this->model).findChild<QAction*>("stretchedCurve")->isChecked())
+    << "the next one begins so";
+  this->view.findChild<QAction*>("straightenedCurve")->trigger();
+  EXPECT_EQ(this->view.grab().toImage(), straightened);
+  EXPECT_FALSE(CurvedView(&this->model).findChild<QAction*>("stretchedCurve")->isChecked());
 }
 
 TEST_F(Curved, IsDrawnAnewWithTheVoxelsOfAnotherTime)

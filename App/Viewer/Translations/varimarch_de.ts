@@ -1426,6 +1426,22 @@ Masken nicht unterstützt</translation>
         <source>turn the cut about the curve</source>
         <translation>Schnitt um die Kurve drehen</translation>
     </message>
+    <message>
+        <source>Straightened</source>
+        <translation>Begradigt</translation>
+    </message>
+    <message>
+        <source>Stretched</source>
+        <translation>Gestreckt</translation>
+    </message>
+    <message>
+        <source>The context menu chooses between the straightened and the stretched volume</source>
+        <translation>Das Kontextmenü wählt zwischen dem begradigten und dem gestreckten Volumen</translation>
+    </message>
+    <message>
+        <source>, stretched</source>
+        <translation>, gestreckt</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::CutsPanel</name>
@@ -2667,10 +2683,6 @@ Masken nicht unterstützt</translation>
         <translation>Hingehen</translation>
     </message>
     <message>
-        <source>Save as CSV…</source>
-        <translation>Als CSV speichern…</translation>
-    </message>
-    <message>
         <source>Choose a measurement above, then drag in the volume or in a slice. Points can be dragged later. Double-click a name to change it, or a value to go there.</source>
         <translation>Wählen Sie oben eine Messung und ziehen Sie dann im Volumen oder in einer Schicht. Punkte können später verschoben werden. Ein Doppelklick auf einen Namen ändert ihn, einer auf einen Wert führt dorthin.</translation>
     </message>
@@ -2701,6 +2713,14 @@ Masken nicht unterstützt</translation>
     <message>
         <source>Cannot save</source>
         <translation>Speichern nicht möglich</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>DICOM structured report (*.dcm)</source>
+        <translation>Strukturierter DICOM-Bericht (*.dcm)</translation>
     </message>
 </context>
 <context>
@@ -3186,6 +3206,14 @@ Masken nicht unterstützt</translation>
         <source>Width of the smoothing</source>
         <translation>Breite der Glättung</translation>
     </message>
+    <message>
+        <source>Working on the segment</source>
+        <translation>Das Segment wird bearbeitet</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::SegmentEditor</name>
@@ -3212,6 +3240,10 @@ Masken nicht unterstützt</translation>
     <message>
         <source>smooth a segment</source>
         <translation>Segment glätten</translation>
+    </message>
+    <message>
+        <source>The segments were changed meanwhile, so this edit was left out.</source>
+        <translation>Die Segmente wurden inzwischen geändert, daher wurde diese Änderung ausgelassen.</translation>
     </message>
 </context>
 <context>
@@ -3376,6 +3408,10 @@ ml</translation>
     <message>
         <source>Sending…</source>
         <translation>Senden…</translation>
+    </message>
+    <message>
+        <source>The measurements too, as a structured report</source>
+        <translation>Auch die Messungen, als strukturierter Bericht</translation>
     </message>
 </context>
 <context>

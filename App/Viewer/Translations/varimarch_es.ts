@@ -1426,6 +1426,22 @@ no admite máscaras</translation>
         <source>turn the cut about the curve</source>
         <translation>girar el corte en torno a la curva</translation>
     </message>
+    <message>
+        <source>Straightened</source>
+        <translation>Enderezada</translation>
+    </message>
+    <message>
+        <source>Stretched</source>
+        <translation>Estirada</translation>
+    </message>
+    <message>
+        <source>The context menu chooses between the straightened and the stretched volume</source>
+        <translation>El menú contextual elige entre el volumen enderezado y el estirado</translation>
+    </message>
+    <message>
+        <source>, stretched</source>
+        <translation>, estirada</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::CutsPanel</name>
@@ -2667,10 +2683,6 @@ no admite máscaras</translation>
         <translation>Ir</translation>
     </message>
     <message>
-        <source>Save as CSV…</source>
-        <translation>Guardar como CSV…</translation>
-    </message>
-    <message>
         <source>Choose a measurement above, then drag in the volume or in a slice. Points can be dragged later. Double-click a name to change it, or a value to go there.</source>
         <translation>Elija arriba una medición y arrastre en el volumen o en un corte. Los puntos se pueden mover después. Haga doble clic en un nombre para cambiarlo, o en un valor para ir allí.</translation>
     </message>
@@ -2701,6 +2713,14 @@ no admite máscaras</translation>
     <message>
         <source>Cannot save</source>
         <translation>No se puede guardar</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Guardar…</translation>
+    </message>
+    <message>
+        <source>DICOM structured report (*.dcm)</source>
+        <translation>Informe estructurado DICOM (*.dcm)</translation>
     </message>
 </context>
 <context>
@@ -3186,6 +3206,14 @@ no admite máscaras</translation>
         <source>Width of the smoothing</source>
         <translation>Anchura del suavizado</translation>
     </message>
+    <message>
+        <source>Working on the segment</source>
+        <translation>Trabajando en el segmento</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::SegmentEditor</name>
@@ -3212,6 +3240,10 @@ no admite máscaras</translation>
     <message>
         <source>smooth a segment</source>
         <translation>suavizar un segmento</translation>
+    </message>
+    <message>
+        <source>The segments were changed meanwhile, so this edit was left out.</source>
+        <translation>Los segmentos cambiaron mientras tanto, por lo que se omitió esta edición.</translation>
     </message>
 </context>
 <context>
@@ -3376,6 +3408,10 @@ ml</translation>
     <message>
         <source>Sending…</source>
         <translation>Enviando…</translation>
+    </message>
+    <message>
+        <source>The measurements too, as a structured report</source>
+        <translation>También las mediciones, como informe estructurado</translation>
     </message>
 </context>
 <context>

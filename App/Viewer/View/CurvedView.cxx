@@ -8,13 +8,19 @@
 #include "Viewer/View/MeasureOverlay.h"
 #include "Viewer/View/SliceCorners.h"
 
+#include <QAction>
+#include <QActionGroup>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QSettings>
 #include <QWheelEvent>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace varimarch
 {
@@ -24,6 +30,7 @@ namespace
 
 const QColor PlaceColor(90, 200, 250, 170);
 constexpr double DegreesPerNotch = 5.0;
+const char* const StretchedKey = "curve/stretched";
 
 // The last visible curve of a scene, if it has a length.
 std::optional<CurvePath> ShownCurve(const Scene& scene)
@@ -43,7 +50,9 @@ std::optional<CurvePath> ShownCurve(const Scene& scene)
 CurvedView::CurvedView(SceneModel* model, QWidget* parent)
   : QWidget(parent)
   , model(model)
+  , stretched(QSettings().value(StretchedKey).toBool())
 {
+  this->MakeMenu();
   this->setMinimumSize(200, 120);
   this->setAttribute(Qt::WA_OpaquePaintEvent);
   this->setCursor(Qt::CrossCursor);
@@ -57,37 +66,76 @@ CurvedView::CurvedView(SceneModel* model, QWidget* parent)
   }
 }
 
+void CurvedView::MakeMenu()
+{
+  auto* const choices = new QActionGroup(this);
+  const std::pair<const char*, QString> actions[] = { { "straightenedCurve", tr("Straightened") },
+    { "stretchedCurve", tr("Stretched") } };
+  for (int isStretched = 0; isStretched < 2; ++isStretched)
+  {
+    auto* const action = new QAction(actions[isStretched].second, choices);
+    action->setObjectName(actions[isStretched].first);
+    action->setCheckable(true);
+    action->setChecked(this->stretched == bool(isStretched));
+    connect(action, &QAction::triggered, this, [=] { this->SetStretched(isStretched); });
+    this->addAction(action);
+  }
+  this->setContextMenuPolicy(Qt::ActionsContextMenu);
+  this->setToolTip(
+    tr("The context menu chooses between the straightened and the stretched volume"));
+}
+
+void CurvedView::SetStretched(bool isStretched)
+{
+  this->stretched = isStretched;
+  QSettings().setValue(StretchedKey, isStretched);
+  this->FindCut();
+}
+
 void CurvedView::Update(ScenePart part)
 {
   if (part == ScenePart::Volume || part == ScenePart::Measures)
   {
     this->path = ShownCurve(this->model->CurrentScene());
-    this->update();
+    this->FindCut();
   }
-  if (part == ScenePart::Slices || part == ScenePart::Voxels)
+  if (part == ScenePart::Slices)
+  {
+    this->FindCut();
+  }
+  if (part == ScenePart::Voxels)
   {
     this->update();
   }
 }
 
-// The curve fills the view from left to right.
+void CurvedView::FindCut()
+{
+  this->cut = this->path;
+  if (this->path && this->stretched)
+  {
+    this->cut = this->path->Stretched(this->model->CurrentScene().slices.curveTurnDegrees);
+  }
+  this->update();
+}
+
+// The curve fills the view from left to right. A stretched one has been turned already.
 CurvedRequest CurvedView::Request() const
 {
   const Scene& scene = this->model->CurrentScene();
   const Study& study = *this->model->CurrentStudy();
   const SliceGrays grays = SuggestedGrays(study.volume, study.statistics);
   const auto [window, level] = scene.slices.windowLevel.value_or(grays.windowLevel);
-  return { this->path->LengthMm() / std::max(this->width(), 1), this->width(), this->height(),
-    scene.slices.curveTurnDegrees,
+  return { this->cut->LengthMm() / std::max(this->width(), 1), this->width(), this->height(),
+    this->stretched ? 0.0 : scene.slices.curveTurnDegrees,
     { window, level, scene.slices.slabMm, scene.slices.slabBlend, grays.inverted } };
 }
 
 std::optional<glm::dvec3> CurvedView::PointAt(const QPointF& place) const
 {
   const bool isOnCurve = this->path && place.x() >= 0.0 && place.x() <= this->width();
-  return isOnCurve
-    ? std::optional(PointInCurved(*this->path, this->Request(), place.x(), place.y()))
-    : std::nullopt;
+  return isOnCurve ? std::optional(PointInCurved(*this->cut, this->Request(), place.x(), place.y()))
+                   : std::nullopt;
 }
 
 void CurvedView::paintEvent(QPaintEvent*)
@@ -104,6 +152,7 @@ void CurvedView::paintEvent(QPaintEvent*)
   this->DrawVoxels(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   this->DrawCrosshair(painter);
+  this->DrawCurve(painter);
   this->DrawRuler(painter);
 }
 
@@ -116,9 +165,29 @@ void CurvedView::DrawVoxels(QPainter& painter) const
   request.height = std::max(int(request.height * ratio), 1);
   request.mmPerPixel /= ratio;
   const std::vector<std::uint8_t> grays =
-    CurvedPicture(this->model->CurrentStudy()->volume.image, *this->path, request);
+    CurvedPicture(this->model->CurrentStudy()->volume.image, *this->cut, request);
   painter.drawImage(this->rect(),
     QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
+}
+
+// A stretched curve is not in the middle.
+void CurvedView::DrawCurve(QPainter& painter) const
+{
+  if (!this->stretched)
+  {
+    return;
+  }
+  const double mmPerPixel = this->Request().mmPerPixel;
+  QPolygonF line;
+  for (std::size_t i = 0; i < this->path->Points().size(); ++i)
+  {
+    const double distanceMm = this->cut->LengthsMm()[i];
+    const CurvePath::Place place = this->cut->At(distanceMm, 0.0);
+    const double height = glm::dot(this->path->Points()[i] - place.pointMm, place.across);
+    line.append({ distanceMm / mmPerPixel, 0.5 * this->height() - height / mmPerPixel });
+  }
+  painter.setPen(PlaceColor);
+  painter.drawPolyline(line);
 }
 
 // Ticks at round distances along the curve, and the turn of the cut.
@@ -126,9 +195,9 @@ void CurvedView::DrawRuler(QPainter& painter) const
 {
   constexpr double LargestPart = 0.2; // part of the curve's length between two ticks
   const double mmPerPixel = this->Request().mmPerPixel;
-  const double stepMm = ScaleBarMm(LargestPart * this->path->LengthMm());
+  const double stepMm = ScaleBarMm(LargestPart * this->cut->LengthMm());
   const double bottom = this->height() - 3.0;
-  for (int tick = 0; tick * stepMm <= this->path->LengthMm(); ++tick)
+  for (int tick = 0; tick * stepMm <= this->cut->LengthMm(); ++tick)
   {
     const double x = tick * stepMm / mmPerPixel;
     painter.setPen(QPen(Qt::white, 1.0));
@@ -143,6 +212,10 @@ void CurvedView::DrawRuler(QPainter& painter) const
   QString text =
     tr("%1 mm, turned by %2°")
       .arg(NumberText(this->path->LengthMm(), 1), NumberText(slices.curveTurnDegrees, 0));
+  if (this->stretched)
+  {
+    text += tr(", stretched");
+  }
   if (slices.slabMm > 0.0)
   {
     text += tr(", slab %1 mm").arg(NumberText(slices.slabMm, 1));
@@ -156,7 +229,7 @@ void CurvedView::DrawCrosshair(QPainter& painter) const
 {
   const auto crosshair = this->model->CurrentScene().slices.crosshairMm.value_or(
     varimarch::MiddleOf(this->model->CurrentStudy()->volume.image));
-  const double x = this->path->NearestMm(VectorOf(crosshair)) / this->Request().mmPerPixel;
+  const double x = this->cut->NearestMm(VectorOf(crosshair)) / this->Request().mmPerPixel;
   painter.setPen(PlaceColor);
   painter.drawLine(QPointF(x, 0.0), QPointF(x, this->height()));
 }

@@ -12,10 +12,12 @@
 namespace varimarch
 {
 
-/// The volume straightened along the last visible curve among the measurements: the curve runs from
-/// left to right through the middle, with a ruler of the distance along it. Window, level and slab
-/// are those of the slices. The left button moves the crosshair to the point that is clicked; the
-/// wheel, and the arrow keys up and down, turn the cut about the curve.
+/// The volume along the last visible curve among the measurements. Straightened, the curve runs
+/// from left to right through the middle; stretched, it keeps its bends towards one direction, and
+/// all distances in the picture are right. The context menu chooses, and the choice is kept for the
+/// next start. A ruler shows the distance along the picture. Window, level and slab are those of
+/// the slices. The left button moves the crosshair to the point that is clicked; the wheel, and the
+/// arrow keys up and down, turn the cut about the curve.
 class CurvedView : public QWidget
 {
   Q_OBJECT
@@ -41,16 +43,22 @@ protected:
   void keyPressEvent(QKeyEvent* event) override;
 
 private:
+  void MakeMenu();
+  void SetStretched(bool isStretched);
   void Update(ScenePart part);
+  void FindCut();
   CurvedRequest Request() const;
   void DrawVoxels(QPainter& painter) const;
   void DrawRuler(QPainter& painter) const;
+  void DrawCurve(QPainter& painter) const;
   void DrawCrosshair(QPainter& painter) const;
   void MoveCrosshair(const QPointF& place);
   void Turn(double degrees);
 
   SceneModel* model;
   std::optional<CurvePath> path; ///< empty without a curve of some length
+  std::optional<CurvePath> cut;  ///< the path of the picture: that curve, or the stretched one
+  bool stretched;
   int gesture = SceneModel::NoGesture;
 };
 
