@@ -182,10 +182,7 @@ void MainWindow::MakeTimes()
 void MainWindow::MakeFileMenu()
 {
   QMenu* const file = this->menuBar()->addMenu(tr("&File"));
-  file->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
-  file->addAction(
-    tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
-  file->addAction(tr("Open a ra&w file…"), this, &MainWindow::ChooseRawFile);
+  this->MakeOpenActions(file);
   QAction* const further =
     file->addAction(tr("A&dd a scan…"), this, &MainWindow::ChooseFurtherScan);
   further->setObjectName("addScan");

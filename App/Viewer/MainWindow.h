@@ -52,6 +52,10 @@ public:
   /// @param series  digest of the DICOM series to open; if empty, the user is asked
   void Open(const QString& path, const QString& series = {});
 
+  /// Starts to load a scan whose times are files: those beside this one whose names differ from its
+  /// own in their last number, or those in this folder.
+  void OpenTimes(const QString& path);
+
   /// Starts to load a scan to be drawn over the one that is shown.
   void AddScan(const QString& path);
 
@@ -122,7 +126,9 @@ private:
   static QString FileFilter();
   void MakeAskAtStartAction(QMenu* menu);
   void MakeMemoryMenu(QMenu* menu);
+  void MakeOpenActions(QMenu* menu);
   void ChooseFile();
+  void ChooseTimes();
   void ChooseFolder();
   void ChooseRawFile();
   void ChooseSegmentation();

@@ -161,6 +161,16 @@ void MainWindow::AskForSeries(const FileSource& source, const std::vector<Series
   picker->open();
 }
 
+void MainWindow::MakeOpenActions(QMenu* menu)
+{
+  menu->addAction(tr("&Open…"), this, &MainWindow::ChooseFile, QKeySequence::Open);
+  menu->addAction(
+    tr("Open a &folder…"), this, &MainWindow::ChooseFolder, QKeySequence("Ctrl+Shift+O"));
+  menu->addAction(tr("Open a ra&w file…"), this, &MainWindow::ChooseRawFile);
+  menu->addAction(tr("Open fi&les as times…"), this, &MainWindow::ChooseTimes)
+    ->setObjectName("openTimes");
+}
+
 void MainWindow::ChooseFile()
 {
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a volume"), {}, FileFilter());
@@ -196,6 +206,28 @@ void MainWindow::ChooseFolder()
   {
     this->Open(path);
   }
+}
+
+void MainWindow::ChooseTimes()
+{
+  const QString path = QFileDialog::getOpenFileName(
+    this, tr("Open files as times: choose one of those that differ in a number"), {}, FileFilter());
+  if (!path.isEmpty())
+  {
+    this->OpenTimes(path);
+  }
+}
+
+void MainWindow::OpenTimes(const QString& path)
+{
+  if (!this->MayLeaveScan())
+  {
+    return;
+  }
+  this->ForgetRequest();
+  FileSource source = { QFileInfo(path).absoluteFilePath().toStdString(), std::nullopt };
+  source.filesAreTimes = true;
+  this->Load(source);
 }
 
 void MainWindow::ChooseRawFile()

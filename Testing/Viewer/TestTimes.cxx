@@ -21,6 +21,9 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
 using namespace varimarch;
 
 namespace
@@ -278,4 +281,26 @@ TEST_F(Times, DrawACurveAtTheCrosshair)
   EXPECT_NE(curve->grab().toImage(), before);
   this->Action("curveOfTimes")->trigger();
   EXPECT_FALSE(curve->isVisible());
+}
+
+TEST_F(Times, MayBeFilesOfOneName)
+{
+  for (const int time : { 9, 10, 11 })
+  {
+    vtkNew<vtkImageData> volume;
+    volume->SetDimensions(4, 4, 4);
+    volume->AllocateScalars(VTK_SHORT, 1);
+    volume->GetPointData()->GetScalars()->Fill(ValueAtTime(time));
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputData(volume);
+    writer->SetFileName(this->Path(QStringLiteral("time%1.vti").arg(time)).toUtf8());
+    writer->Write();
+  }
+  this->window.OpenTimes(this->Path("time10.vti"));
+  ASSERT_TRUE(QTest::qWaitFor(
+    [&] { return this->Model()->CurrentStudy() && this->Bar()->isVisible(); }, MostMilliseconds));
+  EXPECT_EQ(this->Model()->CurrentStudy()->volume.times.values.size(), 3u);
+  EXPECT_EQ(this->Shown(), ValueAtTime(9)) << "the first in the order of the numbers";
+  this->Slider()->setValue(2);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return this->Shown() == ValueAtTime(11); }, MostMilliseconds));
 }
