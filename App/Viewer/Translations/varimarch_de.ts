@@ -2643,6 +2643,14 @@ Masken nicht unterstützt</translation>
         <source>Titles of panels</source>
         <translation>Titel der Bedienfelder</translation>
     </message>
+    <message>
+        <source>Open fi&amp;les as times…</source>
+        <translation>Dateien als Zeitpun&amp;kte öffnen…</translation>
+    </message>
+    <message>
+        <source>Open files as times: choose one of those that differ in a number</source>
+        <translation>Dateien als Zeitpunkte öffnen: eine von denen wählen, die sich in einer Zahl unterscheiden</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -4292,6 +4300,10 @@ ml</translation>
     <message>
         <source>Turn about these axes</source>
         <translation>Um diese Achsen drehen</translation>
+    </message>
+    <message>
+        <source>Several volumes are drawn together as composites, without shadows and ambient occlusion.</source>
+        <translation>Mehrere Volumen werden zusammen mit der Mischung Überlagerung gezeichnet, ohne Schatten und Umgebungsverdeckung.</translation>
     </message>
 </context>
 <context>

@@ -2643,6 +2643,14 @@ no admite máscaras</translation>
         <source>Titles of panels</source>
         <translation>Títulos de los paneles</translation>
     </message>
+    <message>
+        <source>Open fi&amp;les as times…</source>
+        <translation>Abrir archivos &amp;de varios tiempos…</translation>
+    </message>
+    <message>
+        <source>Open files as times: choose one of those that differ in a number</source>
+        <translation>Abrir archivos como tiempos: elija uno de los que difieren en un número</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -4292,6 +4300,10 @@ ml</translation>
     <message>
         <source>Turn about these axes</source>
         <translation>Girar sobre estos ejes</translation>
+    </message>
+    <message>
+        <source>Several volumes are drawn together as composites, without shadows and ambient occlusion.</source>
+        <translation>Varios volúmenes se dibujan juntos como compuestos, sin sombras ni oclusión ambiental.</translation>
     </message>
 </context>
 <context>
