@@ -46,6 +46,19 @@ Lanes3 Transformed(const Matrix& matrix, const Lanes3& a)
     a.x * x.z + a.y * y.z + a.z * z.z };
 }
 
+/// The same rays in the grid of a volume; t is a length in the world.
+inline PacketRays InGridOf(const VolumeParameters& volume, const PacketRays& rays)
+{
+  const glm::mat3 turn(volume.ownGridFromRays);
+  const glm::vec4& move = volume.ownGridFromRays[3];
+  PacketRays own = rays;
+  own.originGrid =
+    Transformed(turn, rays.originGrid) + Lanes3{ All(move.x), All(move.y), All(move.z) };
+  own.directionGrid = Transformed(turn, rays.directionGrid);
+  own.inverse = SafeInverse(own.directionGrid);
+  return own;
+}
+
 /// Keeps the part of rays that is inside a box.
 inline void KeepInside(PacketRays& rays, const glm::vec3& lower, const glm::vec3& upper)
 {

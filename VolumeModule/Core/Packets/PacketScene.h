@@ -207,6 +207,17 @@ struct PacketConstituent
   PacketDepths visible; ///< depths between which it may be visible
 };
 
+/// Blocks of a volume that are drawn by a coarser level: BlockLevels.
+struct PacketLevels
+{
+  /// The level, a volume of the same type in a grid of its own; null: all blocks are drawn by
+  /// voxels.
+  const PacketScene* coarse;
+  const std::uint8_t* areVoxels; ///< 1 for each block that is drawn by voxels, else 0
+  glm::ivec3 blockCount;
+  float blockSideGrid; ///< length of a block's side, in voxels
+};
+
 /// An image of a volume, or of the first constituent of a mixture: its numbers, and pointers to
 /// arrays, whose owners keep them until the image is marched. A texture that is not in memory is of
 /// a feature that the image does not have.
@@ -230,6 +241,7 @@ struct PacketScene
   PacketLocation location;
   PacketColors colors; ///< only in a mixture
   PacketConstituent constituent;
+  PacketLevels levels; ///< not in a mixture
   PacketRule rule;
 };
 

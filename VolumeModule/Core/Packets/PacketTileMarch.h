@@ -6,6 +6,7 @@
 #include "Core/Packets/Crop/Regions.h"
 #include "Core/Packets/FirstOpacity.h"
 #include "Core/Packets/Gaps/Cells.h"
+#include "Core/Packets/Levels/Blocks.h"
 #include "Core/Packets/March/Extreme.h"
 #include "Core/Packets/March/Projection.h"
 #include "Core/Packets/Mask/Voxels.h"
@@ -37,16 +38,22 @@ struct PacketPiece
 template <class Content>
 struct MarchOf;
 
-/// Marches what cropping, a mask and gaps leave of rays.
+/// Marches what cropping, a mask and gaps leave of rays, in each block by its level.
 /// @param x  and y: the first pixel of the packet
 template <class Content>
 PacketSum MarchLeft(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, int x, int y)
 {
+  const auto marchLevel = [&](
+                            const PacketScene& level, const PacketRays& piece, const PacketSum& sum)
+  {
+    const PacketWalk walk(level, piece, x, y);
+    return MarchOf<Content>::Along({ level, piece, walk, sum, x, y });
+  };
   const auto marchWhole = [&](const PacketRays& piece, const PacketSum& sum)
   {
-    const PacketWalk walk(scene, piece, x, y);
-    return MarchOf<Content>::Along({ scene, piece, walk, sum, x, y });
+    return scene.levels.coarse ? MarchByLevels(scene, piece, sum, marchLevel)
+                               : marchLevel(scene, piece, sum);
   };
   const auto march = [&](const PacketRays& piece, const PacketSum& sum)
   {

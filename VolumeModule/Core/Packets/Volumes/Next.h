@@ -144,13 +144,7 @@ private:
   {
     const VolumeParameters& own = scene.parameters;
     const PacketDepths& visible = scene.constituent.visible;
-    PacketRays rays = raysOfAll;
-    const glm::mat3 turn(own.ownGridFromRays);
-    const glm::vec4& move = own.ownGridFromRays[3];
-    rays.originGrid =
-      Transformed(turn, raysOfAll.originGrid) + Lanes3{ All(move.x), All(move.y), All(move.z) };
-    rays.directionGrid = Transformed(turn, raysOfAll.directionGrid);
-    rays.inverse = SafeInverse(rays.directionGrid);
+    PacketRays rays = InGridOf(own, raysOfAll);
     KeepInside(rays, own.ownLowerGrid, own.ownUpperGrid);
     if (visible.nearest)
     {
