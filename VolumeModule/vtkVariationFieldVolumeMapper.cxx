@@ -173,12 +173,14 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
   if (frame)
   {
     const varimarch::VoxelsOnDisk onDisk(*frame, this->MaximumHostMemory);
-    const auto coarse = this->Private->Levels.FrameInstead(this, volume, *frame);
-    this->Private->Last = coarse ? &this->Private->Levels.Marcher() : &this->Private->Marcher;
+    const auto instead = this->Private->Levels.FrameInstead(
+      this, volume, *frame, this->Private->Last->AccumulatedImages() > 0);
+    const bool isOfLevel = instead && instead->coarser.empty();
+    this->Private->Last = isOfLevel ? &this->Private->Levels.Marcher() : &this->Private->Marcher;
     frame->view.window->MakeCurrent();
     try
     {
-      this->Private->DrawInTime(this, volume, coarse ? *coarse : *frame);
+      this->Private->DrawInTime(this, volume, instead ? *instead : *frame);
     }
     catch (const std::exception&)
     {
@@ -223,7 +225,9 @@ double vtkVariationFieldVolumeMapper::GetUsedSampleDistance()
 
 double vtkVariationFieldVolumeMapper::GetDrawnPart()
 {
-  return this->Private->Last->DrawnPart(this->MaximumAccumulatedPictures);
+  const double part = this->Private->Last->DrawnPart(this->MaximumAccumulatedPictures);
+  constexpr double NotAll = 0.99;
+  return this->Private->Levels.Drawn().mayBeRefined ? std::min(part, NotAll) : part;
 }
 
 int vtkVariationFieldVolumeMapper::GetAccumulatedPictures()
@@ -275,6 +279,21 @@ void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 double vtkVariationFieldVolumeMapper::GetLevelErrorBound()
 {
   return this->Private->Levels.ErrorBound();
+}
+
+int vtkVariationFieldVolumeMapper::GetUsedLevelOfDetail()
+{
+  return this->Private->Levels.Drawn().level;
+}
+
+vtkIdType vtkVariationFieldVolumeMapper::GetVisibleBlocks()
+{
+  return vtkIdType(this->Private->Levels.Drawn().visibleBlocks);
+}
+
+vtkIdType vtkVariationFieldVolumeMapper::GetRefinedBlocks()
+{
+  return vtkIdType(this->Private->Levels.Drawn().refinedBlocks);
 }
 
 double vtkVariationFieldVolumeMapper::GetFieldBuildSeconds()
@@ -348,6 +367,11 @@ int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
 {
   const auto& tolerance = this->Private->Last->Tolerance();
+  const varimarch::DrawnLevel& drawn = this->Private->Levels.Drawn();
+  if (drawn.level == CoarseLevel || drawn.mayBeRefined)
+  {
+    return false;
+  }
   return !tolerance || (tolerance->step.KeepsLimit() && !this->Private->Last->HasUnknownError());
 }
 

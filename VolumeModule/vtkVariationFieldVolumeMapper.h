@@ -513,7 +513,9 @@ public:
    */
   vtkSetClampMacro(LongestPartSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LongestPartSeconds, double);
-  double GetDrawnPart(); ///< the finished fraction of all frames to be accumulated, [0, 1]
+  /// The finished fraction of all frames to be accumulated, [0, 1]; less than 1 while RefinedLevel
+  /// goes on.
+  double GetDrawnPart();
   ///@}
 
   /**
@@ -641,15 +643,21 @@ public:
    * the means of cubes of 4 x 4 x 4 voxels, which are in memory. AutomaticLevel takes the means
    * during interaction (see MinimumImageSampleDistance). Volumes in memory, overlapping ones, and
    * those with a mask or blanked voxels are always drawn, and all are picked, by their voxels.
-   * Default: AutomaticLevel.
+   *
+   * RefinedLevel begins with the means. Each further image of the same scene takes voxels where the
+   * means may change it most, until GetLevelErrorBound() is at most half of the ErrorTolerance (of
+   * 1/64 if there is none), whose other half is for everything else. Voxels that no pixel needs are
+   * never read: clear ones, those of one material, and hidden ones. Images whose error cannot be
+   * bounded so are drawn by voxels. Default: AutomaticLevel.
    */
   enum
   {
     VoxelLevel,
     CoarseLevel,
-    AutomaticLevel
+    AutomaticLevel,
+    RefinedLevel
   };
-  vtkSetClampMacro(LevelOfDetail, int, VoxelLevel, AutomaticLevel);
+  vtkSetClampMacro(LevelOfDetail, int, VoxelLevel, RefinedLevel);
   vtkGetMacro(LevelOfDetail, int);
   ///@}
 
@@ -660,6 +668,20 @@ public:
    * level it is 1, not known.
    */
   double GetLevelErrorBound();
+
+  /**
+   * The level of the last image: VoxelLevel, CoarseLevel or RefinedLevel.
+   */
+  int GetUsedLevelOfDetail();
+
+  ///@{
+  /**
+   * The number of blocks of the volume that may be seen in the last image of RefinedLevel, and of
+   * those among them that were drawn by their voxels; 0 for images of a single level.
+   */
+  vtkIdType GetVisibleBlocks();
+  vtkIdType GetRefinedBlocks();
+  ///@}
 
   ///@{
   /**

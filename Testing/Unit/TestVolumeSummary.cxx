@@ -1,5 +1,7 @@
 #include "Core/Fields/VolumeSummary.h"
 
+#include "Unit/MemorySource.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,47 +22,6 @@ namespace
 constexpr glm::ivec2 SliceDimensions = glm::ivec2(13, 9);
 constexpr int UsualSlices = 70;
 constexpr std::uint64_t EnoughForASlab = 1 << 20;
-
-/// Voxels in memory as if they were read piece by piece.
-template <class Scalar>
-class MemorySource : public BrickSource
-{
-public:
-  MemorySource(VoxelType type, std::vector<Scalar> voxels)
-    : type(type)
-    , voxels(std::move(voxels))
-  {
-    const glm::ivec3 size = this->Grid().Dimensions();
-    this->levels = { { { size.x, size.y, size.z }, { 8, 8, 8 }, { 1.0, 1.0, 1.0 } } };
-  }
-
-  const std::vector<Level>& Levels() const override { return this->levels; }
-  VoxelType Type() const override { return this->type; }
-  void Read(int, const Box& box, void* to) const override
-  {
-    const ScalarGrid<Scalar> grid = this->Grid();
-    auto* next = static_cast<Scalar*>(to);
-    for (auto z = box.lower[2]; z < box.upper[2]; ++z)
-    {
-      for (auto y = box.lower[1]; y < box.upper[1]; ++y)
-      {
-        const Scalar* const row = grid.Row(int(y), int(z));
-        next = std::copy(row + box.lower[0], row + box.upper[0], next);
-      }
-    }
-  }
-
-  ScalarGrid<Scalar> Grid() const
-  {
-    const int slices = int(this->voxels.size()) / (SliceDimensions.x * SliceDimensions.y);
-    return { this->voxels.data(), { SliceDimensions, slices } };
-  }
-
-private:
-  VoxelType type;
-  std::vector<Scalar> voxels;
-  std::vector<Level> levels;
-};
 
 template <class Scalar>
 std::vector<Scalar> Noise(double lower, double upper, int slices = UsualSlices)
@@ -89,7 +50,8 @@ void ExpectRangesOfTheWhole(const VolumeSummary& summary, const MemorySource<Sca
 
 TEST(VolumeSummary, OfSlabsIsThatOfTheWhole)
 {
-  const MemorySource<std::int16_t> source(VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0));
+  const MemorySource<std::int16_t> source(
+    VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0), SliceDimensions);
   const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
   ExpectRangesOfTheWhole(summary, source);
   const std::vector<std::int16_t> voxels = Noise<std::int16_t>(-300.0, 900.0);
@@ -104,7 +66,7 @@ TEST(VolumeSummary, OfAnyNumberOfSlicesHasAllVoxels)
   for (const int slices : { 1, 16, 17, 20, 65 })
   {
     const std::vector<std::uint8_t> voxels = Noise<std::uint8_t>(0.0, 255.0, slices);
-    const MemorySource<std::uint8_t> source(VoxelType::UInt8, voxels);
+    const MemorySource<std::uint8_t> source(VoxelType::UInt8, voxels, SliceDimensions);
     const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
     ExpectRangesOfTheWhole(summary, source);
     for (int value = 0; value < 256; ++value)
@@ -117,7 +79,8 @@ TEST(VolumeSummary, OfAnyNumberOfSlicesHasAllVoxels)
 
 TEST(VolumeSummary, HasTheMeansOfCubes)
 {
-  const MemorySource<std::int16_t> source(VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0));
+  const MemorySource<std::int16_t> source(
+    VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0), SliceDimensions);
   const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
   ASSERT_EQ(summary.coarse.voxelCount, glm::ivec3(3, 2, 17));
   const auto* const means = reinterpret_cast<const std::int16_t*>(summary.coarse.voxels.data());
@@ -133,11 +96,12 @@ TEST(VolumeSummary, HasTheMeansOfCubes)
 TEST(VolumeSummary, TellsValuesThatAreNotFinite)
 {
   std::vector<float> voxels = Noise<float>(-1.0, 2.0);
-  EXPECT_TRUE(SummaryOf(MemorySource<float>(VoxelType::Float32, voxels), EnoughForASlab,
+  EXPECT_TRUE(SummaryOf(MemorySource<float>(VoxelType::Float32, voxels, SliceDimensions),
+    EnoughForASlab,
     [](double) {
     }).areFinite);
   voxels[1000] = std::numeric_limits<float>::infinity();
-  const MemorySource<float> source(VoxelType::Float32, voxels);
+  const MemorySource<float> source(VoxelType::Float32, voxels, SliceDimensions);
   const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
   EXPECT_FALSE(summary.areFinite);
   EXPECT_LT(summary.largest, 2.0);
@@ -146,7 +110,8 @@ TEST(VolumeSummary, TellsValuesThatAreNotFinite)
 
 TEST(VolumeSummary, StopsWhereItsObserverThrows)
 {
-  const MemorySource<std::uint8_t> source(VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0));
+  const MemorySource<std::uint8_t> source(
+    VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0), SliceDimensions);
   const auto stop = [](double) { throw std::logic_error("enough"); };
   EXPECT_THROW(SummaryOf(source, EnoughForASlab, stop), std::logic_error);
 }
@@ -156,7 +121,7 @@ class CountingSource : public MemorySource<std::uint8_t>
 {
 public:
   CountingSource()
-    : MemorySource(VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0))
+    : MemorySource(VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0), SliceDimensions)
   {
   }
 
@@ -189,7 +154,7 @@ class StoredBox : public MemorySource<Scalar>
 {
 public:
   StoredBox(VoxelType type, std::vector<Scalar> voxels, const BrickSource::Box& stored)
-    : MemorySource<Scalar>(type, std::move(voxels))
+    : MemorySource<Scalar>(type, std::move(voxels), SliceDimensions)
     , stored(stored)
   {
   }
@@ -231,7 +196,7 @@ void ExpectSummaryOfStoredBox(VoxelType type, const BrickSource::Box& stored)
   }
   const auto nothing = [](double) {};
   const VolumeSummary whole =
-    SummaryOf(MemorySource<Scalar>(type, voxels), EnoughForASlab, nothing);
+    SummaryOf(MemorySource<Scalar>(type, voxels, SliceDimensions), EnoughForASlab, nothing);
   const VolumeSummary sparse =
     SummaryOf(StoredBox<Scalar>(type, voxels, stored), EnoughForASlab, nothing);
   EXPECT_EQ(sparse.smallest, whole.smallest);

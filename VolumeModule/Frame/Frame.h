@@ -1,6 +1,7 @@
 #ifndef Varimarch_Frame_Frame_h
 #define Varimarch_Frame_Frame_h
 
+#include "Core/Blocks/BlockLevels.h"
 #include "Core/Quality/ErrorBudget.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/Cuts.h"
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -139,6 +141,11 @@ struct Frame
   /// The volumes that overlap with this one in the same image. They share view, image, pass and
   /// plan with the first volume, and have input, material, geometry and settings of their own.
   std::vector<Frame> others;
+
+  /// The coarse level of the volume if it is drawn in some blocks instead of the voxels: one frame,
+  /// which has the same look. Only packets draw it; shaders draw the voxels of all blocks.
+  std::vector<Frame> coarser;
+  std::shared_ptr<const BlockLevels> blockLevels; ///< null without a coarse level
 };
 
 }

@@ -95,4 +95,11 @@ VolumeMarch MarchOfOther(const Frame& frame, const MarchPlan& plan, std::size_t 
   return { frame.others[other], plan, std::move(settings) };
 }
 
+VolumeMarch MarchOfCoarser(const Frame& frame, const MarchPlan& plan)
+{
+  MarchPlan ofLevel = plan;
+  ofLevel.volumes = { plan.coarser };
+  return MarchOf(frame.coarser.front(), ofLevel);
+}
+
 }

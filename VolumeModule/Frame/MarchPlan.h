@@ -34,6 +34,7 @@ struct MarchPlan
   int mostAccumulated = 0;             ///< The number of images in the mean; 0: no accumulation.
   bool isInteractive = false;          ///< True while a user interacts.
   std::vector<VolumeFindings> volumes; ///< One entry for the first volume and each of the others.
+  VolumeFindings coarser;              ///< The findings of the coarse level, if there is one.
 
   // One drawing of the image, or of a part of it.
   RayPass pass = RayPass::Whole;
@@ -72,6 +73,9 @@ VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan);
 
 /// The march of a volume that overlaps with the first.
 VolumeMarch MarchOfOther(const Frame& frame, const MarchPlan& plan, std::size_t other);
+
+/// The march of the coarse level.
+VolumeMarch MarchOfCoarser(const Frame& frame, const MarchPlan& plan);
 
 }
 

@@ -1,9 +1,8 @@
 #include "March/LevelOfDetail.h"
 
-#include "Core/Quality/LevelBound.h"
 #include "Frame/FrameBuilder.h"
+#include "Frame/SceneFingerprint.h"
 #include "Readers/MappedScalars.h"
-#include "Resources/MaterialTables.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkDataArray.h"
@@ -13,51 +12,49 @@
 #include "vtkPointData.h"
 #include "vtkVolume.h"
 
-#include <algorithm>
-
 namespace varimarch
 {
 
 namespace
 {
 
-// True if nothing but the values along its rays decides on an image.
-bool IsPlainComposite(const Frame& frame, bool hasGaps)
+// Levels and everything else may each use half of the tolerance.
+constexpr double LevelShare = 0.5;
+
+double LevelTolerance(const Frame& frame)
 {
-  const RenderSettings& settings = frame.settings;
-  const bool isWhole = !settings.clipping && !settings.cropping && !settings.limitsSpan &&
-    !settings.sceneGeometry && settings.mask == Mask::None &&
-    frame.cuts.boxGrid.lower == frame.geometry.boxGrid.lower &&
-    frame.cuts.boxGrid.upper == frame.geometry.boxGrid.upper;
-  const bool hasClearGaps = !hasGaps || frame.material.gapOptical.a == 0.0;
-  return settings.blend == Blend::Composite && settings.functionOf == FunctionOf::Value &&
-    !settings.cubic && !settings.gradientOpacity && !settings.windowLevel && isWhole &&
-    hasClearGaps && frame.others.empty() && frame.userCode.IsEmpty();
+  constexpr double WithoutTolerance = 1.0 / 64.0;
+  const ErrorBudget& budget = frame.quality.budget;
+  return LevelShare * (budget.HasTolerance() ? budget.tolerance : WithoutTolerance);
 }
 
-// Computes the bound of a frame of voxels. It has copies of all inputs, because a program may ask
-// for the bound when the camera, the look or the whole scene has changed.
-std::function<double()> BoundOf(
-  const std::shared_ptr<const VolumeSummary>& summary, const Frame& frame)
+// True if blocks may have different levels: what their voxels look like depends on no other block.
+bool MayBeRefined(const LevelInputs& inputs, const Frame& frame)
 {
-  if (!IsPlainComposite(frame, !summary->areFinite))
-  {
-    return [] { return 1.0; };
-  }
-  const glm::dmat4 worldFromGrid(frame.geometry.worldFromGrid);
-  return
-    [summary, worldFromGrid,
-      look = MaterialTablesOf(frame.material.property, frame.settings).front().transferFunction,
-      rays = ComputePixelRays(
-        ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
-      pixels = glm::ivec2(frame.view.viewport.width, frame.view.viewport.height),
-      isLit = frame.settings.shading || frame.settings.occlusion]
-  {
-    const OpticalTable table = BuildOpticalTable(look, summary->smallest, summary->largest);
-    const std::vector<float> bounds =
-      LevelBounds({ summary->ranges, table, rays, pixels, glm::dmat3(worldFromGrid), isLit });
-    return bounds.empty() ? 0.0 : double(*std::max_element(bounds.begin(), bounds.end()));
-  };
+  return inputs.summary->areFinite && !frame.settings.shadows && !frame.settings.occlusion;
+}
+
+// The level for the next image: VoxelLevel, CoarseLevel or RefinedLevel.
+int LevelNow(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame)
+{
+  const int wanted = mapper->GetLevelOfDetail();
+  const bool isMoving =
+    wanted != vtkVariationFieldVolumeMapper::VoxelLevel && IsInteractive(mapper, volume, frame);
+  const int atRest = wanted == vtkVariationFieldVolumeMapper::AutomaticLevel
+    ? vtkVariationFieldVolumeMapper::VoxelLevel
+    : wanted;
+  return isMoving ? vtkVariationFieldVolumeMapper::CoarseLevel : atRest;
+}
+
+// The summary of voxels that are drawn alone, with a coarse level; null for others.
+std::shared_ptr<const VolumeSummary> SummaryWithLevel(const Frame& frame, vtkImageData* voxels)
+{
+  const bool arePlain = voxels && frame.others.empty() && frame.settings.mask == Mask::None &&
+    !frame.voxels.blanking.Any();
+  auto known = arePlain ? SummaryOf(frame.voxels.scalars) : nullptr;
+  const bool hasLevel = known && !known->coarse.voxels.empty() &&
+    frame.voxels.scalars->GetNumberOfTuples() == voxels->GetNumberOfPoints();
+  return hasLevel ? known : nullptr;
 }
 
 }
@@ -101,34 +98,87 @@ void LevelOfDetail::UpdateImage(const std::shared_ptr<const VolumeSummary>& newS
 }
 
 std::optional<Frame> LevelOfDetail::FrameInstead(
-  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame)
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole)
 {
   if (Picks(frame.pass.kind))
   {
     return std::nullopt; // points and cells have the numbers of the voxels
   }
   this->bound = nullptr;
-  const int wanted = mapper->GetLevelOfDetail();
-  const bool isCoarse = wanted == vtkVariationFieldVolumeMapper::CoarseLevel ||
-    (wanted == vtkVariationFieldVolumeMapper::AutomaticLevel &&
-      IsInteractive(mapper, volume, frame));
-  auto* const voxels = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
-  const bool mayBeCoarse = isCoarse && voxels && frame.others.empty() &&
-    frame.settings.mask == Mask::None && !frame.voxels.blanking.Any();
-  const auto known = mayBeCoarse ? SummaryOf(frame.voxels.scalars) : nullptr;
-  const bool hasLevel = known && !known->coarse.voxels.empty() &&
-    frame.voxels.scalars->GetNumberOfTuples() == voxels->GetNumberOfPoints();
-  if (!hasLevel)
+  this->drawn = {};
+  const int level = LevelNow(mapper, volume, frame);
+  const auto known = level != vtkVariationFieldVolumeMapper::VoxelLevel
+    ? SummaryWithLevel(frame, vtkImageData::SafeDownCast(mapper->GetDataSetInput()))
+    : nullptr;
+  const std::optional<LevelInputs> inputs = known ? LevelInputsOf(known, frame) : std::nullopt;
+  const bool isRefined = level == vtkVariationFieldVolumeMapper::RefinedLevel;
+  if (!known || (isRefined && !(inputs && MayBeRefined(*inputs, frame))))
   {
     return std::nullopt;
   }
-  this->UpdateImage(known, frame.voxels.scalars, voxels);
-  std::optional<Frame> coarse = BuildFrame(mapper, frame.view.renderer, volume, this->image);
+  std::optional<Frame> coarse = this->CoarseFrame(mapper, volume, frame, known);
+  if (coarse && isRefined)
+  {
+    this->Refine(
+      ImageFingerprint(mapper, frame), *inputs, lastIsWhole ? LevelTolerance(frame) : 1.0);
+    this->drawn.mayBeRefined = this->refinement->Bound() > LevelTolerance(frame);
+    if (this->refinement->Rounds() > 0)
+    {
+      return this->RefinedFrame(frame, *coarse);
+    }
+  }
   if (coarse)
   {
-    this->bound = BoundOf(known, frame);
+    this->bound = [inputs] { return inputs ? BoundOfLevelAlone(*inputs) : 1.0; };
+    this->drawn.level = vtkVariationFieldVolumeMapper::CoarseLevel;
   }
   return coarse;
+}
+
+std::optional<Frame> LevelOfDetail::CoarseFrame(vtkVariationFieldVolumeMapper* mapper,
+  vtkVolume* volume, const Frame& frame, const std::shared_ptr<const VolumeSummary>& known)
+{
+  this->UpdateImage(
+    known, frame.voxels.scalars, vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
+  return BuildFrame(mapper, frame.view.renderer, volume, this->image);
+}
+
+// The first image of a scene is of the coarse level.
+void LevelOfDetail::Refine(
+  const std::vector<double>& fingerprint, const LevelInputs& inputs, double tolerance)
+{
+  if (this->refinement && this->refinement->IsOf(fingerprint))
+  {
+    this->refinement->Refine(tolerance);
+  }
+  else
+  {
+    this->refinement =
+      std::make_unique<LevelRefinement>(fingerprint, inputs, this->refinement.get());
+  }
+}
+
+Frame LevelOfDetail::RefinedFrame(const Frame& frame, const Frame& coarse)
+{
+  this->bound = [bound = this->refinement->Bound()] { return bound; };
+  this->drawn.level = vtkVariationFieldVolumeMapper::RefinedLevel;
+  this->drawn.visibleBlocks = this->refinement->VisibleBlocks();
+  this->drawn.refinedBlocks = this->refinement->RefinedBlocks();
+  Frame refined = frame;
+  refined.coarser = { coarse };
+  refined.blockLevels = this->refinement->Levels();
+  QualityRequest& quality = refined.quality;
+  quality.budget.tolerance *= 1.0 - LevelShare;
+  quality.earlyTerminationTransmittance =
+    quality.budget.EarlyTermination(quality.earlyTerminationTransmittance);
+  refined.coarser.front().quality = quality;
+  // Other levels make another image, which needs other steps.
+  refined.fingerprint.push_back(this->refinement->Rounds());
+  if (!refined.accumulation.fingerprint.empty())
+  {
+    refined.accumulation.fingerprint.push_back(this->refinement->Rounds());
+  }
+  return refined;
 }
 
 void LevelOfDetail::Release(vtkWindow* window)

@@ -3,13 +3,16 @@
 
 #include "Core/Fields/VolumeSummary.h"
 #include "Frame/Frame.h"
+#include "March/LevelRefinement.h"
 #include "March/RayMarcher.h"
 
 #include "vtkSmartPointer.h"
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class vtkDataArray;
 class vtkImageData;
@@ -22,17 +25,29 @@ namespace varimarch
 /// True if an image is drawn while somebody interacts, for less time than a still one may take.
 bool IsInteractive(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame);
 
-/// Draws volumes that stayed in their file by their coarse level, which is in memory, and bounds
-/// the error of that. It owns the image of the level, which shares the summary's voxels, and a
-/// marcher, so that neither level discards what belongs to the other.
+/// The level of an image.
+struct DrawnLevel
+{
+  int level = 0;                 ///< VoxelLevel, CoarseLevel or RefinedLevel of the mapper.
+  bool mayBeRefined = false;     ///< True if a further image would be more exact.
+  std::size_t visibleBlocks = 0; ///< 0 for images of a single level.
+  std::size_t refinedBlocks = 0; ///< Visible blocks that are drawn by voxels.
+};
+
+/// Draws volumes that stayed in their file by their coarse level, which is in memory, alone or in
+/// the blocks where it suffices, and bounds the error of that. It owns the image of the level,
+/// which shares the summary's voxels, and a marcher for it alone, so that neither level discards
+/// what belongs to the other.
 class LevelOfDetail
 {
 public:
-  /// The frame of the coarse level, to be drawn by Marcher(), if the mapper wants it instead of a
-  /// frame of voxels and the volume has one.
+  /// The frame to be drawn instead of a frame of voxels, if the mapper wants it and the volume has
+  /// a coarse level: one of the level, to be drawn by Marcher(), or of voxels with blocks of the
+  /// level.
+  /// @param lastIsWhole  false if the last image was drawn in part
   /// @throws std::runtime_error as BuildFrame does
   std::optional<Frame> FrameInstead(
-    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame);
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole);
 
   RayMarcher& Marcher() { return this->marcher; }
 
@@ -40,16 +55,26 @@ public:
   /// LevelBounds; 0 for the voxels themselves, 1 if it is not known.
   double ErrorBound() const { return this->bound ? this->bound() : 0.0; }
 
+  /// The level of the last frame.
+  const DrawnLevel& Drawn() const { return this->drawn; }
+
   void Release(vtkWindow* window);
 
 private:
   void UpdateImage(const std::shared_ptr<const VolumeSummary>& newSummary,
     vtkDataArray* scalarsOfVoxels, vtkImageData* voxels);
+  std::optional<Frame> CoarseFrame(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume,
+    const Frame& frame, const std::shared_ptr<const VolumeSummary>& known);
+  /// Goes on with the scene of a fingerprint, or begins it.
+  void Refine(const std::vector<double>& fingerprint, const LevelInputs& inputs, double tolerance);
+  Frame RefinedFrame(const Frame& frame, const Frame& coarse);
 
   std::shared_ptr<const VolumeSummary> summary;
   vtkSmartPointer<vtkImageData> image;
   RayMarcher marcher;
   std::function<double()> bound; ///< null for the voxels themselves
+  std::unique_ptr<LevelRefinement> refinement;
+  DrawnLevel drawn;
 };
 
 }

@@ -39,6 +39,32 @@ Box Around(const Box& box, const Box& other, const glm::dmat4& boxFromOther)
   return around;
 }
 
+using Volumes = std::vector<std::unique_ptr<VolumeResources>>;
+
+// Releases all volumes but the first ones.
+void ReleaseBehind(Volumes& volumes, vtkWindow* window, std::size_t kept)
+{
+  for (std::size_t i = kept; i < volumes.size(); ++i)
+  {
+    volumes[i]->Release(window);
+  }
+  volumes.resize(std::min(kept, volumes.size()));
+}
+
+// Makes as many volumes as there are frames, with their voxels.
+void UpdateVoxelsOf(Volumes& volumes, const std::vector<Frame>& frames, vtkWindow* window)
+{
+  ReleaseBehind(volumes, window, frames.size());
+  while (volumes.size() < frames.size())
+  {
+    volumes.push_back(std::make_unique<VolumeResources>());
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    volumes[i]->UpdateVoxels(frames[i]);
+  }
+}
+
 // Throws std::runtime_error if a volume cannot be drawn together with others.
 void CheckOverlap(const VolumeResources& volume, const VolumeFindings& findings)
 {
@@ -58,16 +84,8 @@ void CheckOverlap(const VolumeResources& volume, const VolumeFindings& findings)
 void SceneResources::UpdateVoxels(const Frame& frame)
 {
   this->first.UpdateVoxels(frame);
-  this->ReleaseOthers(frame.view.window, frame.others.size());
-  this->others.resize(frame.others.size());
-  for (std::size_t i = 0; i < this->others.size(); ++i)
-  {
-    if (!this->others[i])
-    {
-      this->others[i] = std::make_unique<VolumeResources>();
-    }
-    this->others[i]->UpdateVoxels(frame.others[i]);
-  }
+  UpdateVoxelsOf(this->others, frame.others, frame.view.window);
+  UpdateVoxelsOf(this->coarser, frame.coarser, frame.view.window);
 }
 
 bool SceneResources::AnyFits8Bits() const
@@ -84,6 +102,14 @@ void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryEls
   this->UpdateDepth(frame, plan);
   this->UpdateNoise(frame, plan);
   this->UpdateOthers(frame, plan);
+  if (plan.marcher == Marcher::Device)
+  {
+    ReleaseBehind(this->coarser, frame.view.window, 0); // shaders draw voxels only
+  }
+  for (const auto& level : this->coarser)
+  {
+    plan.coarser = level->Update(MarchOfCoarser(frame, plan), {});
+  }
   plan.volumes.front() = this->first.Update(MarchOf(frame, plan), this->BesideFirst(ofImages));
   if (!frame.others.empty())
   {
@@ -98,6 +124,10 @@ void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryEls
 void SceneResources::UpdatePreIntegrated(const Frame& frame, const MarchPlan& plan)
 {
   this->first.UpdatePreIntegrated(MarchOf(frame, plan));
+  for (const auto& level : this->coarser)
+  {
+    level->UpdatePreIntegrated(MarchOfCoarser(frame, plan));
+  }
 }
 
 void SceneResources::BeginPicture(
@@ -170,21 +200,15 @@ bool SceneResources::IsNothingDrawn() const
   return IsEmpty(this->drawnBox);
 }
 
-void SceneResources::ReleaseOthers(vtkWindow* window, std::size_t kept)
-{
-  for (std::size_t i = kept; i < this->others.size(); ++i)
-  {
-    this->others[i]->Release(window);
-  }
-  this->others.resize(std::min(kept, this->others.size()));
-}
-
 std::size_t SceneResources::BytesBesideFirst() const
 {
   std::size_t bytes = this->depth.Bytes() + this->noise.Bytes();
-  for (const auto& other : this->others)
+  for (const Volumes* volumes : { &this->others, &this->coarser })
   {
-    bytes += other->Bytes();
+    for (const auto& volume : *volumes)
+    {
+      bytes += volume->Bytes();
+    }
   }
   return bytes;
 }
@@ -196,7 +220,8 @@ MemoryElsewhere SceneResources::BesideFirst(const MemoryElsewhere& ofImages) con
 
 void SceneResources::Release(vtkWindow* window)
 {
-  this->ReleaseOthers(window, 0);
+  ReleaseBehind(this->others, window, 0);
+  ReleaseBehind(this->coarser, window, 0);
   this->first.Release(window);
   this->depth.Release(window);
   this->noise.Release(window);

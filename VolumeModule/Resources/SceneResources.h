@@ -39,6 +39,8 @@ public:
   const VolumeResources& First() const { return this->first; }
   VolumeResources& Other(std::size_t index) { return *this->others[index]; }
   const VolumeResources& Other(std::size_t index) const { return *this->others[index]; }
+  /// The coarse level. Requires a frame that has one.
+  VolumeResources& Coarser() { return *this->coarser.front(); }
   SceneDepthTexture& Depth() { return this->depth; }
   /// The textures of the rays, apart from results of other drawings.
   RayTextures Textures() const;
@@ -60,13 +62,13 @@ private:
   void UpdateNoise(const Frame& frame, const MarchPlan& plan);
   void UpdateOthers(const Frame& frame, MarchPlan& plan);
   Box BoxOfAll(const Frame& frame) const;
-  void ReleaseOthers(vtkWindow* window, std::size_t kept);
   std::size_t BytesBesideFirst() const;
   MemoryElsewhere BesideFirst(const MemoryElsewhere& ofImages) const;
 
   VolumeResources first;
   std::vector<std::unique_ptr<VolumeResources>>
     others; ///< The volumes that overlap with the first.
+  std::vector<std::unique_ptr<VolumeResources>> coarser; ///< The coarse level, or none.
   SceneDepthTexture depth;
   BlueNoiseTexture noise;
   Box drawnBox = {};

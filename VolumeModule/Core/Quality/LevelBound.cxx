@@ -4,13 +4,14 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vec4.hpp>
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace varimarch
@@ -19,241 +20,214 @@ namespace varimarch
 namespace
 {
 
-/// The extremes of colour and extinction.
-struct LookBetween
-{
-  glm::vec4 least = glm::vec4(0.0f);
-  glm::vec4 most = glm::vec4(0.0f);
-};
-
-/// Extremes of the entries of a table in any interval, as two overlapping ones whose lengths are
-/// powers of two.
-class EntryExtremes
-{
-public:
-  explicit EntryExtremes(const std::vector<glm::vec4>& entries)
-    : levels(1)
-  {
-    std::transform(entries.begin(), entries.end(), std::back_inserter(this->levels[0]),
-      [](const glm::vec4& entry) {
-        return LookBetween{ entry, entry };
-      });
-    for (std::size_t length = 2; length <= entries.size(); length *= 2)
-    {
-      const std::vector<LookBetween>& halves = this->levels.back();
-      std::vector<LookBetween> level;
-      for (std::size_t i = 0; i + length <= entries.size(); ++i)
-      {
-        level.push_back(Both(halves[i], halves[i + length / 2]));
-      }
-      this->levels.push_back(std::move(level));
-    }
-  }
-
-  LookBetween Of(int first, int last) const
-  {
-    const int level = std::ilogb(double(last - first + 1));
-    return Both(this->levels[std::size_t(level)][std::size_t(first)],
-      this->levels[std::size_t(level)][std::size_t(last + 1 - (1 << level))]);
-  }
-
-private:
-  static LookBetween Both(const LookBetween& one, const LookBetween& other)
-  {
-    return { glm::min(one.least, other.least), glm::max(one.most, other.most) };
-  }
-
-  std::vector<std::vector<LookBetween>> levels;
-};
-
-/// Blocks of bricks with what a ray may meet in them.
-class LookBlocks
-{
-public:
-  explicit LookBlocks(const LevelBoundScene& scene)
-    : bricks(scene.ranges.BrickCount())
-    , side(SideOf(this->bricks))
-    , count((this->bricks + this->side - 1) / this->side)
-    , looks(std::size_t(this->count.x) * this->count.y * this->count.z)
-  {
-    const EntryExtremes extremes(scene.table.entries);
-    const double lastEntry = double(scene.table.entries.size()) - 1.0;
-    const IndexInTable entryOfStep = varimarch::IndexOf(
-      scene.table, lastEntry, scene.ranges.ValuePerStep(), scene.ranges.FirstValue());
-    tbb::parallel_for(0, this->count.y * this->count.z,
-      [&](int row)
-      {
-        for (int x = 0; x < this->count.x; ++x)
-        {
-          const glm::ivec3 block(x, row % this->count.y, row / this->count.y);
-          const BrickRanges::Steps steps = this->StepsAround(scene.ranges, block);
-          const auto entryOf = [&](double step)
-          { return std::clamp(entryOfStep.bias + step * entryOfStep.scale, 0.0, lastEntry); };
-          LookBetween& look = this->looks[this->PlaceOf(block)];
-          look = steps.IsFinite() ? extremes.Of(int(std::floor(entryOf(steps.smallest))),
-                                      int(std::ceil(entryOf(steps.largest))))
-                                  : extremes.Of(0, int(lastEntry));
-          look.least.a = steps.IsFinite() ? look.least.a : 0.0f; // gaps are clear
-          this->Widen(block, scene.isLit, look);
-        }
-      });
-  }
-
-  /// @param cell  counted in blocks; outside, that of the nearest block
-  const LookBetween& Of(const glm::ivec3& cell) const
-  {
-    return this->looks[this->PlaceOf(glm::clamp(cell, glm::ivec3(0), this->count - 1))];
-  }
-
-  double CellsPerSide() const { return double(this->side) * BrickRanges::CellsPerSide; }
-
-private:
-  // Few enough blocks that every ray crosses few.
-  static int SideOf(const glm::ivec3& bricks)
-  {
-    constexpr double MostBlocks = 1 << 21;
-    const double all = double(bricks.x) * bricks.y * bricks.z;
-    return std::max(1, int(std::ceil(std::cbrt(all / MostBlocks))));
-  }
-
-  std::size_t PlaceOf(const glm::ivec3& block) const
-  {
-    return (std::size_t(block.z) * this->count.y + block.y) * this->count.x + block.x;
-  }
-
-  // The range of a block and the bricks around it, on whose means the level depends.
-  BrickRanges::Steps StepsAround(const BrickRanges& ranges, const glm::ivec3& block) const
-  {
-    const glm::ivec3 first = glm::max(block * this->side - 1, 0);
-    const glm::ivec3 last = glm::min((block + 1) * this->side, this->bricks - 1);
-    BrickRanges::Steps all{ 65535, 0 };
-    bool areFinite = true;
-    for (int z = first.z; z <= last.z; ++z)
-    {
-      for (int y = first.y; y <= last.y; ++y)
-      {
-        const std::size_t row = (std::size_t(z) * this->bricks.y + y) * this->bricks.x;
-        for (int x = first.x; x <= last.x; ++x)
-        {
-          const BrickRanges::Steps steps = ranges[row + x];
-          areFinite = areFinite && steps.IsFinite();
-          all = { std::min(all.smallest, steps.smallest), std::max(all.largest, steps.largest) };
-        }
-      }
-    }
-    return areFinite ? all : BrickRanges::Steps{ 1, 0 };
-  }
-
-  // At the faces of the volume the level may end a little earlier.
-  void Widen(const glm::ivec3& block, bool isLit, LookBetween& look) const
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const bool isOutermost = block[axis] == 0 || block[axis] == this->count[axis] - 1;
-      look.least.a = isOutermost ? 0.0f : look.least.a;
-    }
-    if (isLit)
-    {
-      look.least = { 0.0f, 0.0f, 0.0f, look.least.a };
-      look.most = { 1.0f, 1.0f, 1.0f, look.most.a };
-    }
-  }
-
-  glm::ivec3 bricks;
-  int side; ///< bricks along a side of a block
-  glm::ivec3 count;
-  std::vector<LookBetween> looks;
-};
-
-/// A part of a ray, and what it meets there.
+/// The part of a ray in a block.
 struct Segment
 {
-  const LookBetween* look;
+  std::size_t place; ///< The place of the block in BlockLevels.
+  double mm;
+  bool isOfVoxels;
+  LookBetween look;
   double leastOpacity;
   double mostOpacity;
+  double contribution; ///< a bound of what its level changes in the pixel
 };
 
-/// The parts of a ray that may be seen, front to back, in a box that is a little larger than the
-/// volume.
-std::vector<Segment> SegmentsOf(
-  const LevelBoundScene& scene, const LookBlocks& blocks, const Ray& rayGrid)
+/// Composites of one channel behind a place of a ray.
+struct Channel
 {
-  constexpr double BesideVoxels = 2.0;
+  double least = 0.0; ///< a bound of both composites
+  double most = 0.0;
+  double apart = 0.0; ///< a bound of their difference
+};
+
+void Take(const LookBetween& look, Segment& segment)
+{
+  segment.look = look;
+  segment.leastOpacity = -std::expm1(-segment.mm * double(look.least.a));
+  segment.mostOpacity = -std::expm1(-segment.mm * double(look.most.a));
+}
+
+/// The bounds of what a ray meets in a block.
+LookBetween LookOf(const LevelBoundScene& scene, const BlockLevels& levels, std::size_t place,
+  const glm::ivec3& block)
+{
+  LookBetween look =
+    levels.areVoxels[place] ? scene.looks.OfVoxels(place) : scene.looks.OfBoth(place);
+  look.least.a = scene.endsEarlier && scene.looks.LevelEndsIn(block) ? 0.0f : look.least.a;
+  return look;
+}
+
+/// The parts of the ray of a pixel that may be seen, front to back.
+/// @param pixel  the place of its centre, [-1, 1]
+std::vector<Segment> SegmentsOf(
+  const LevelBoundScene& scene, const BlockLevels& levels, const glm::dvec2& pixel)
+{
   constexpr double MostDepth = 20.0;
-  const glm::dvec3 size(scene.ranges.BrickCount() * BrickRanges::CellsPerSide);
-  const Interval inside = Intersection(
-    rayGrid, { glm::dvec3(-BesideVoxels), size + BesideVoxels }, scene.rays.BetweenPlanes(rayGrid));
-  const double side = blocks.CellsPerSide();
-  const Ray rayInBlocks{ rayGrid.origin / side, rayGrid.direction / side };
-  const double mmPerT = glm::length(scene.worldFromGrid * rayGrid.direction);
+  const Ray rayGrid = scene.rays.At(pixel.x, pixel.y);
+  const Interval inside = Intersection(rayGrid, scene.boxGrid, scene.rays.BetweenPlanes(rayGrid));
   std::vector<Segment> segments;
-  double leastDepth = 0.0;
   if (inside.IsEmpty())
   {
     return segments;
   }
-  WalkCells(rayInBlocks, inside,
+  const double side = scene.looks.CellsPerSide();
+  const double mmPerT = glm::length(scene.worldFromGrid * rayGrid.direction);
+  double leastDepth = 0.0;
+  WalkCells({ rayGrid.origin / side, rayGrid.direction / side }, inside,
     [&](const CellPart& part)
     {
-      const LookBetween& look = blocks.Of(part.cell);
+      const std::size_t place = levels.PlaceOf(part.cell);
+      const LookBetween look = LookOf(scene, levels, place, part.cell);
       const double mm = (part.t.exit - part.t.enter) * mmPerT;
       if (look.most.a > 0.0f)
       {
-        segments.push_back(
-          { &look, -std::expm1(-mm * look.least.a), -std::expm1(-mm * look.most.a) });
-        leastDepth += mm * look.least.a;
+        segments.push_back({ place, mm, levels.areVoxels[place] != 0, {}, 0.0, 0.0, 0.0 });
+        Take(look, segments.back());
+        leastDepth += mm * double(look.least.a);
       }
       return leastDepth < MostDepth;
     });
   return segments;
 }
 
-double BoundOf(const std::vector<Segment>& segments)
+/// The most that two materials between bounds can differ by over a segment.
+double MostAdded(const Channel& behind, const Segment& segment, double leastColor, double mostColor)
 {
-  std::array<double, 4> least = {};
-  std::array<double, 4> most = {};
+  const LookBetween& look = segment.look;
+  const double leastExtinction = double(look.least.a);
+  const double fromComposite = std::max(
+    mostColor - std::min(behind.least, leastColor), std::max(behind.most, mostColor) - leastColor);
+  const double seenMm =
+    segment.leastOpacity > 0.0 ? segment.leastOpacity / leastExtinction : segment.mm;
+  return segment.mostOpacity * (mostColor - leastColor) +
+    (double(look.most.a) - leastExtinction) * fromComposite * seenMm;
+}
+
+/// Goes on to what is in front of a segment.
+/// @return a bound of what its level adds to the difference
+double Pass(Channel& channel, const Segment& segment, double leastColor, double mostColor)
+{
+  const double added =
+    segment.isOfVoxels ? 0.0 : MostAdded(channel, segment, leastColor, mostColor);
+  const double forLeast = leastColor < channel.least ? segment.mostOpacity : segment.leastOpacity;
+  const double forMost = mostColor > channel.most ? segment.mostOpacity : segment.leastOpacity;
+  channel.least += forLeast * (leastColor - channel.least);
+  channel.most += forMost * (mostColor - channel.most);
+  const double width = channel.most - channel.least;
+  channel.apart = std::min((1.0 - segment.leastOpacity) * channel.apart + added, width);
+  return std::min(added, width);
+}
+
+/// The bound of a ray; finds the contributions of its segments.
+double BoundOf(std::vector<Segment>& segments)
+{
+  std::array<Channel, 4> channels;
   for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment)
   {
-    for (int channel = 0; channel < 4; ++channel)
+    // The opacity is the composite of a colour of 1.
+    segment->contribution = Pass(channels[3], *segment, 1.0, 1.0);
+    for (int i = 0; i < 3; ++i)
     {
-      // The opacity is the composite of a colour of 1.
-      const double leastColor = channel < 3 ? double(segment->look->least[channel]) : 1.0;
-      const double mostColor = channel < 3 ? double(segment->look->most[channel]) : 1.0;
-      double& low = least[std::size_t(channel)];
-      double& high = most[std::size_t(channel)];
-      const double forLow = leastColor < low ? segment->mostOpacity : segment->leastOpacity;
-      const double forHigh = mostColor > high ? segment->mostOpacity : segment->leastOpacity;
-      low += forLow * (leastColor - low);
-      high += forHigh * (mostColor - high);
+      segment->contribution = std::max(segment->contribution,
+        Pass(channels[std::size_t(i)], *segment, double(segment->look.least[i]),
+          double(segment->look.most[i])));
     }
   }
-  double bound = 0.0;
-  for (std::size_t channel = 0; channel < 4; ++channel)
+  double transmittance = 1.0;
+  for (Segment& segment : segments)
   {
-    bound = std::max(bound, most[channel] - least[channel]);
+    segment.contribution *= transmittance;
+    transmittance *= 1.0 - segment.leastOpacity;
+  }
+  double bound = 0.0;
+  for (const Channel& channel : channels)
+  {
+    bound = std::max(bound, channel.apart);
   }
   return std::min(bound, 1.0);
 }
 
+/// Takes voxels for segments of a ray, those first that contribute most, until its bound is at most
+/// the tolerance.
+/// @param taken  becomes 1 for their blocks
+/// @return the bound
+double RefineRay(const BlockLooks& looks, double tolerance, std::vector<Segment>& segments,
+  std::vector<std::atomic<std::uint8_t>>& taken)
+{
+  double bound = BoundOf(segments);
+  std::vector<std::pair<double, std::size_t>> order;
+  double left = 0.0;
+  for (std::size_t i = 0; i < segments.size() && bound > tolerance; ++i)
+  {
+    order.emplace_back(-segments[i].contribution, i);
+    left += segments[i].contribution;
+  }
+  std::sort(order.begin(), order.end());
+  // The bound is at most the sum of what is left, and often less.
+  for (auto next = order.begin(); next != order.end() && bound > tolerance;)
+  {
+    const double goal = std::max(tolerance, 0.5 * left);
+    for (; next != order.end() && left > goal; ++next)
+    {
+      Segment& segment = segments[next->second];
+      left += next->first;
+      segment.isOfVoxels = true;
+      Take(looks.OfVoxels(segment.place), segment);
+      taken[segment.place].store(1, std::memory_order_relaxed);
+    }
+    bound = BoundOf(segments);
+  }
+  return bound;
 }
 
-std::vector<float> LevelBounds(const LevelBoundScene& scene)
+/// Calls visit(pixel, place of its centre, [-1, 1]) for all pixels, on all cores.
+template <class Visit>
+void ForEachPixel(const glm::ivec2& pixels, Visit visit)
 {
-  const LookBlocks blocks(scene);
-  const glm::ivec2 pixels = scene.pixels;
-  std::vector<float> bounds(std::size_t(pixels.x) * pixels.y);
   tbb::parallel_for(0, pixels.y,
     [&](int row)
     {
       for (int column = 0; column < pixels.x; ++column)
       {
-        const Ray ray =
-          scene.rays.At(2.0 * (column + 0.5) / pixels.x - 1.0, 2.0 * (row + 0.5) / pixels.y - 1.0);
-        bounds[std::size_t(row) * pixels.x + column] =
-          float(BoundOf(SegmentsOf(scene, blocks, ray)));
+        visit(std::size_t(row) * std::size_t(pixels.x) + std::size_t(column),
+          2.0 * (glm::dvec2(column, row) + 0.5) / glm::dvec2(pixels) - 1.0);
       }
     });
+}
+
+}
+
+std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels& levels)
+{
+  std::vector<double> bounds(std::size_t(scene.pixels.x) * std::size_t(scene.pixels.y));
+  ForEachPixel(scene.pixels,
+    [&](std::size_t pixel, const glm::dvec2& place)
+    {
+      std::vector<Segment> segments = SegmentsOf(scene, levels, place);
+      bounds[pixel] = BoundOf(segments);
+    });
   return bounds;
+}
+
+// All rays see the levels that there were before, so that the result does not depend on their
+// order. More voxels never make a bound larger.
+void Refine(
+  const LevelBoundScene& scene, double tolerance, BlockLevels& levels, std::vector<double>& bounds)
+{
+  std::vector<std::atomic<std::uint8_t>> taken(levels.areVoxels.size());
+  ForEachPixel(scene.pixels,
+    [&](std::size_t pixel, const glm::dvec2& place)
+    {
+      if (bounds[pixel] > tolerance)
+      {
+        std::vector<Segment> segments = SegmentsOf(scene, levels, place);
+        bounds[pixel] = RefineRay(scene.looks, tolerance, segments, taken);
+      }
+    });
+  std::transform(levels.areVoxels.begin(), levels.areVoxels.end(), taken.begin(),
+    levels.areVoxels.begin(),
+    [](std::uint8_t before, const std::atomic<std::uint8_t>& now)
+    { return std::uint8_t(before | now.load(std::memory_order_relaxed)); });
 }
 
 }

@@ -1,9 +1,8 @@
 #ifndef Varimarch_Core_Quality_LevelBound_h
 #define Varimarch_Core_Quality_LevelBound_h
 
-#include "Core/Fields/BrickRanges.h"
 #include "Core/Geometry/PixelRays.h"
-#include "Core/Look/OpticalTable.h"
+#include "Core/Quality/BlockLooks.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -13,27 +12,36 @@
 namespace varimarch
 {
 
-/// A composite that is drawn from a coarser level of a volume instead of its voxels. Cells without
-/// a value are clear.
+/// A composite of which blocks of bricks are drawn from a coarser level instead of the voxels.
 struct LevelBoundScene
 {
-  const BrickRanges& ranges; ///< ranges of the voxels
-  const OpticalTable& table;
+  const BlockLooks& looks;
   PixelRays rays;
   glm::ivec2 pixels;
   glm::dmat3 worldFromGrid;
-  bool isLit; ///< true if light changes colours, to any from 0 to 1
+  Box boxGrid; ///< The box of the volume, outside of which rays meet nothing.
+  /// True if the level ends at its outermost means, before the faces of the volume.
+  bool endsEarlier;
 };
 
-/// Bounds of the error of the level, one for each pixel: how far a premultiplied channel or the
-/// opacity can be from that of the voxels, [0, 1]. They need no voxel.
+/// Bounds of the error of the levels of blocks, one for each pixel: how far a premultiplied channel
+/// or the opacity can be from that of the voxels, [0, 1]. They need no voxel.
 ///
-/// Each voxel of the level must be a mean of voxels of one brick, at the mean of their places. What
-/// rays meet in a brick, in the volume and in the level, is then between the extremes of the brick
-/// and its neighbours; and between the extremes of any extinction s and colour c between bounds
-/// lies the composite, whose change along the ray from behind, dC = s (c - C) dt, is monotone in
-/// both.
-std::vector<float> LevelBounds(const LevelBoundScene& scene);
+/// Along a ray from behind, the composite C of extinction s and colour c has dC = s (c - C) dt.
+/// Between bounds of s and c it is monotone in both, so that the composites of extremes hold all
+/// others between them. Two composites of the same voxels approach each other by the transmittance;
+/// where s and c differ, their difference D obeys
+///   |dD| <= (s |dc| + |ds| |c - C| - s |D|) dt.
+/// The smaller of both bounds counts.
+std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels& levels);
+
+/// Takes voxels for those blocks of the coarse level that contribute most to the bounds, until none
+/// exceeds a tolerance. Blocks that no pixel needs stay coarse: those that are clear, of one
+/// material, or hidden.
+/// @param bounds  those of all pixels, as far as they are known, or 1; receives those of the new
+/// levels
+void Refine(
+  const LevelBoundScene& scene, double tolerance, BlockLevels& levels, std::vector<double>& bounds);
 
 }
 

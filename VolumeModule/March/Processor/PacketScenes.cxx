@@ -1,5 +1,7 @@
 #include "March/Processor/PacketScenes.h"
 
+#include "Core/Fields/BrickRanges.h"
+
 #include <utility>
 
 namespace varimarch
@@ -33,6 +35,26 @@ PacketScenes::PacketScenes(const VolumeMarch& march, SceneResources& resources,
   {
     this->Mix(march, resources, pixels);
   }
+  else if (march.frame.blockLevels)
+  {
+    this->AddCoarser(march, resources, pixels);
+  }
+}
+
+// Rays are bounded by the parts of the voxels that are visible, not by those of the level.
+void PacketScenes::AddCoarser(
+  const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
+{
+  const VolumeMarch level = MarchOfCoarser(march.frame, march.plan);
+  PacketSurroundings around = SurroundingsOfOther(level.frame);
+  around.textures.noiseTexture = this->first.around.textures.noiseTexture;
+  this->coarser.emplace(level, resources.Coarser(), std::move(around), pixels);
+  PacketScene& scene = this->coarser->scene;
+  scene.depths = {};
+  scene.parameters.ownGridFromRays = GridFromGrid(level.frame.geometry, march.frame.geometry);
+  const BlockLevels& levels = *march.frame.blockLevels;
+  this->first.scene.levels = { &scene, levels.areVoxels.data(), levels.count,
+    float(levels.side * BrickRanges::CellsPerSide) };
 }
 
 void PacketScenes::Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)

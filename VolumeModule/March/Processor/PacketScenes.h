@@ -4,13 +4,15 @@
 #include "March/Processor/PacketSceneBuilder.h"
 #include "Resources/SceneResources.h"
 
+#include <optional>
 #include <vector>
 
 namespace varimarch
 {
 
 /// The scene that packets march for a frame: a single volume, or a mixture of several components
-/// and volumes along rays in the grid of the first volume. Its parts point to each other.
+/// and volumes along rays in the grid of the first volume. Some blocks of a single volume may be
+/// drawn by its coarse level. The parts point to each other.
 class PacketScenes
 {
 public:
@@ -27,10 +29,12 @@ public:
 
 private:
   void Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels);
+  void AddCoarser(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels);
 
   SceneOfVolume first;
-  std::vector<SceneOfVolume> others; ///< The other volumes.
-  std::vector<PacketScene> mixed;    ///< The parts of the mixture after the first.
+  std::optional<SceneOfVolume> coarser; ///< The coarse level.
+  std::vector<SceneOfVolume> others;    ///< The other volumes.
+  std::vector<PacketScene> mixed;       ///< The parts of the mixture after the first.
 };
 
 }

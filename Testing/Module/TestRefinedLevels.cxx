@@ -1,0 +1,207 @@
+// Volumes in their file that are drawn by coarse voxels, except where the image needs theirs.
+
+#include "Module/TorsoOnDisk.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <vector>
+
+namespace
+{
+
+constexpr double Steps = 0.005; ///< error that is left to steps and floats
+
+double LargestDifference(const std::vector<float>& one, const std::vector<float>& other)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < one.size(); ++i)
+  {
+    largest = std::max(largest, std::abs(double(one[i]) - double(other[i])));
+  }
+  return largest;
+}
+
+class RefinedLevels : public TorsoOnDisk
+{
+protected:
+  static constexpr int Side = 64;
+
+  /// A file of 16-bit voxels, Side along each axis.
+  vtkImageData* ReadVoxels(const std::function<int(int x, int y, int z)>& at)
+  {
+    std::vector<std::int16_t> voxels;
+    for (int i = 0; i < Side * Side * Side; ++i)
+    {
+      voxels.push_back(std::int16_t(at(i % Side, i / Side % Side, i / Side / Side)));
+    }
+    const std::string path = this->folder.Write(
+      "voxels.raw", { reinterpret_cast<const char*>(voxels.data()), 2 * voxels.size() });
+    this->reader->SetRawDimensions(Side, Side, Side);
+    this->reader->SetRawScalarType(VTK_SHORT);
+    this->reader->SetRawSpacing(1.0, 1.0, 1.0);
+    constexpr vtkIdType TooLittle = 800000;
+    return this->Read(path, TooLittle);
+  }
+
+  /// Fog that is thicker for larger values.
+  static void UseFog(MapperScene& scene, double least, double most)
+  {
+    scene.opacities->RemoveAllPoints();
+    scene.opacities->AddPoint(0.0, least);
+    scene.opacities->AddPoint(1000.0, most);
+    scene.mapper->ProcessorMarchingOn();
+    constexpr vtkIdType EnoughToKeepPages = vtkIdType(1) << 40;
+    scene.mapper->SetMaximumHostMemory(EnoughToKeepPages);
+  }
+
+  /// The last of the images that begin with the coarse level.
+  static std::vector<float> DrawAll(MapperScene& scene)
+  {
+    scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+    std::vector<float> drawn = scene.Draw();
+    while (scene.mapper->GetDrawnPart() < 1.0)
+    {
+      drawn = scene.Draw();
+    }
+    return drawn;
+  }
+};
+
+/// Pages of voxels that this process has touched.
+int TouchedPages(vtkImageData* image)
+{
+  const std::uint64_t page = std::uint64_t(sysconf(_SC_PAGESIZE));
+  const auto first = std::uint64_t(reinterpret_cast<std::uintptr_t>(image->GetScalarPointer()));
+  const auto bytes = std::uint64_t(image->GetNumberOfPoints()) * sizeof(std::int16_t);
+  std::vector<std::uint64_t> entries((first + bytes - 1) / page - first / page + 1);
+  std::FILE* const map = std::fopen("/proc/self/pagemap", "rb");
+  std::fseek(map, long(first / page * sizeof(entries[0])), SEEK_SET);
+  EXPECT_EQ(std::fread(entries.data(), sizeof(entries[0]), entries.size(), map), entries.size());
+  std::fclose(map);
+  constexpr std::uint64_t IsPresent = std::uint64_t(1) << 63;
+  return int(std::count_if(
+    entries.begin(), entries.end(), [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
+}
+
+int Waves(int x, int y, int z)
+{
+  return 500 + int(std::lround(300.0 * std::sin(0.2 * x) * std::cos(0.25 * y) + 2.0 * z));
+}
+
+}
+
+TEST_F(RefinedLevels, LookLikeVoxelsWithinTheTolerance)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::VoxelLevel);
+  const std::vector<float> voxels = scene.Draw();
+  for (const double tolerance : { 1.0 / 8.0, 1.0 / 64.0 })
+  {
+    scene.mapper->SetErrorTolerance(tolerance);
+    const std::vector<float> refined = DrawAll(scene);
+    EXPECT_LE(scene.mapper->GetLevelErrorBound(), 0.5 * tolerance);
+    EXPECT_LE(LargestDifference(refined, voxels), 0.5 * tolerance + Steps);
+    EXPECT_TRUE(scene.mapper->GetErrorToleranceIsKept());
+  }
+}
+
+TEST_F(RefinedLevels, BecomeBetterWithEachImageUntilTheToleranceHolds)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::CoarseLevel);
+  EXPECT_FALSE(scene.mapper->GetErrorToleranceIsKept());
+  double before = 1.0;
+  vtkIdType blocks = -1;
+  while (scene.mapper->GetDrawnPart() < 1.0)
+  {
+    scene.Draw();
+    EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::RefinedLevel);
+    EXPECT_LT(scene.mapper->GetLevelErrorBound(), before);
+    EXPECT_GE(scene.mapper->GetRefinedBlocks(), blocks);
+    before = scene.mapper->GetLevelErrorBound();
+    blocks = scene.mapper->GetRefinedBlocks();
+  }
+  EXPECT_LE(before, 1.0 / 128.0);
+  EXPECT_GT(blocks, 0);
+  EXPECT_LE(blocks, scene.mapper->GetVisibleBlocks());
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetRefinedBlocks(), blocks) << "the tolerance holds";
+}
+
+TEST_F(RefinedLevels, BeginAgainInAnotherView)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  DrawAll(scene);
+  scene.renderer->GetActiveCamera()->Azimuth(20.0);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::CoarseLevel);
+  EXPECT_LT(scene.mapper->GetDrawnPart(), 1.0);
+}
+
+// A ball of noise in fog of one density. The system reads 16 pages, 8 slices, for each that is
+// touched.
+TEST_F(RefinedLevels, ReadOnlyWhatTheImageNeeds)
+{
+  const auto ball = [](int x, int y, int z)
+  {
+    const int r2 = (x - 20) * (x - 20) + (y - 30) * (y - 30) + (z - 6) * (z - 6);
+    return r2 < 36 ? 400 + (37 * x + 101 * y + 59 * z) % 400 : 300;
+  };
+  vtkImageData* const image = this->ReadVoxels(ball);
+  MapperScene scene(image);
+  UseFog(scene, 0.0, 0.02);
+  const int before = TouchedPages(image);
+  const std::vector<float> refined = DrawAll(scene);
+  const int touched = TouchedPages(image) - before;
+  EXPECT_LT(5 * scene.mapper->GetRefinedBlocks(), scene.mapper->GetVisibleBlocks());
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::VoxelLevel);
+  EXPECT_LE(LargestDifference(refined, scene.Draw()), 1.0 / 128.0 + Steps);
+  const int all = TouchedPages(image) - before;
+  EXPECT_GT(touched, 0);
+  EXPECT_LT(2 * touched, all);
+}
+
+TEST_F(RefinedLevels, ReadNothingOfOneMaterial)
+{
+  vtkImageData* const image = this->ReadVoxels([](int, int, int) { return 300; });
+  MapperScene scene(image);
+  UseFog(scene, 0.0, 0.05);
+  const int before = TouchedPages(image);
+  DrawAll(scene);
+  EXPECT_EQ(scene.mapper->GetRefinedBlocks(), 0);
+  EXPECT_GT(scene.mapper->GetVisibleBlocks(), 0);
+  EXPECT_EQ(TouchedPages(image), before);
+}
+
+TEST_F(RefinedLevels, AreVoxelsWhereNoBoundIsKnown)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+  scene.mapper->SetBlendModeToMaximumIntensity();
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::VoxelLevel);
+  EXPECT_EQ(scene.mapper->GetDrawnPart(), 1.0);
+}
+
+TEST_F(RefinedLevels, AreCompleteBeforeTheNextRoundWhereTheyComeInParts)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.mapper->SetMaximumAccumulatedPictures(2);
+  scene.mapper->SetLongestPartSeconds(1e-4);
+  const std::vector<float> parts = DrawAll(scene);
+  EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 2);
+  EXPECT_LE(scene.mapper->GetLevelErrorBound(), 1.0 / 128.0);
+}

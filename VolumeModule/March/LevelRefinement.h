@@ -1,0 +1,93 @@
+#ifndef Varimarch_March_LevelRefinement_h
+#define Varimarch_March_LevelRefinement_h
+
+#include "Core/Fields/VolumeSummary.h"
+#include "Core/Quality/BlockLooks.h"
+#include "Core/Quality/LevelBound.h"
+#include "Frame/Frame.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Everything that the errors of levels in an image follow from, as copies: a program may ask for
+/// them when the camera, the look or the whole scene has changed.
+struct LevelInputs
+{
+  std::shared_ptr<const VolumeSummary> summary;
+  VoxelType type;
+  TransferFunction look;
+  std::vector<double> volumeFingerprint; ///< See VolumeFingerprint.
+  PixelRays rays;
+  glm::ivec2 pixels;
+  glm::dmat3 worldFromGrid;
+  Box boxGrid;
+  bool isLit;
+
+  BlockLooks Looks() const;
+  bool HasLooksOf(const LevelInputs& other) const
+  {
+    return this->volumeFingerprint == other.volumeFingerprint && this->isLit == other.isLit;
+  }
+
+  /// @param endsEarlier  see LevelBoundScene
+  LevelBoundScene SceneOf(const BlockLooks& looks, bool endsEarlier) const
+  {
+    return { looks, this->rays, this->pixels, this->worldFromGrid, this->boxGrid, endsEarlier };
+  }
+};
+
+/// The inputs of a frame of voxels; none if more than the values along its rays decides on the
+/// image, so that ranges bound nothing.
+/// @param summary  that of the voxels, with a coarse level
+std::optional<LevelInputs> LevelInputsOf(
+  const std::shared_ptr<const VolumeSummary>& summary, const Frame& frame);
+
+/// A bound of the error of an image of the coarse level alone, in about a second.
+double BoundOfLevelAlone(const LevelInputs& inputs);
+
+/// The blocks of a scene that are drawn by voxels: with each round those more that the image needs
+/// most, until the error of the others is within a tolerance.
+class LevelRefinement
+{
+public:
+  /// @param fingerprint  that of the image, see ImageFingerprint
+  /// @param before  another view, perhaps of the same volume and look; may be null
+  LevelRefinement(
+    std::vector<double> fingerprint, const LevelInputs& inputs, const LevelRefinement* before);
+
+  bool IsOf(const std::vector<double>& otherFingerprint) const
+  {
+    return this->fingerprint == otherFingerprint;
+  }
+
+  /// Goes a round on, unless the bound is at most the tolerance.
+  void Refine(double tolerance);
+
+  const std::shared_ptr<const BlockLevels>& Levels() const { return this->levels; }
+  int Rounds() const { return this->rounds; }
+  /// A bound of the error of the levels; 1 before the first round.
+  double Bound() const { return this->bound; }
+  std::size_t VisibleBlocks() const { return this->visible; }
+  /// The number of visible blocks that are drawn by voxels.
+  std::size_t RefinedBlocks() const { return this->refined; }
+
+private:
+  std::vector<double> fingerprint;
+  LevelInputs inputs;
+  std::vector<double> bounds;              ///< The bounds of all pixels.
+  std::shared_ptr<const BlockLooks> looks; ///< May be null before the first round.
+  std::shared_ptr<const BlockLevels> levels;
+  double bound = 1.0;
+  int rounds = 0;
+  std::size_t visible = 0;
+  std::size_t refined = 0;
+};
+
+}
+
+#endif
