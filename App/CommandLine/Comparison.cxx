@@ -30,7 +30,7 @@ std::vector<std::unique_ptr<OffscreenView>> WarmedUpViews(
     OffscreenView& view = *views.back();
     Measurement measurement = {};
     measurement.kind = kind;
-    measurement.firstMs = 1000.0 * view.Render();
+    measurement.firstMs = 1000.0 * view.RenderAll();
     measurement.picture = view.FloatImage();
     measurement.sampleDistanceMm = view.Pipeline().UsedSampleDistanceMm();
     measurement.error = ErrorOf(measurement.picture, comparison.truth.picture, scene.background);

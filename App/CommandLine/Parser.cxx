@@ -212,8 +212,9 @@ void AddSpanOptions(CLI::App& command, SceneArguments& arguments, const std::str
 void AddVoxelOptions(CLI::App& command, SceneArguments& arguments, const std::string& group)
 {
   AddChoice(command, "--detail", arguments.level, LevelNames(),
-    "Detail of a volume that is drawn from its file: its voxels, or means of\n"
-    "4 x 4 x 4 of them, which are in memory")
+    "Detail of a volume that is drawn from its file: its voxels, means of\n"
+    "4 x 4 x 4 of them, which are in memory, or voxels only where the\n"
+    "image is proved to need them")
     ->group(group);
   AddChoice(command, "--interpolation", arguments.interpolation, InterpolationNames(),
     "Values between voxels (default linear)")

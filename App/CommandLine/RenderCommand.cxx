@@ -16,6 +16,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 
 namespace varimarch
@@ -106,7 +108,26 @@ void AddDrawing(vtkVariationFieldVolumeMapper* ours, nlohmann::ordered_json& res
   {
     results["graphicsMemoryBytes"] = ours->GetGraphicsMemoryBytes();
     results["levelErrorBound"] = ours->GetLevelErrorBound();
+    if (ours->GetVisibleBlocks() > 0)
+    {
+      results["visibleBlocks"] = ours->GetVisibleBlocks();
+      results["refinedBlocks"] = ours->GetRefinedBlocks();
+    }
     results["blockUploads"] = ours->GetBlockUploads();
+  }
+}
+
+// Says what an image that takes voxels only where it needs them has of them.
+void TellOfLevel(vtkVariationFieldVolumeMapper* ours, double seconds)
+{
+  if (ours && ours->GetUsedLevelOfDetail() == vtkVariationFieldVolumeMapper::RefinedLevel)
+  {
+    std::ostringstream text;
+    text << "voxels of " << ours->GetRefinedBlocks() << " of " << ours->GetVisibleBlocks()
+         << " visible blocks after " << std::fixed << std::setprecision(1) << seconds
+         << " s: the coarse level of the others changes the image by at most "
+         << std::setprecision(4) << ours->GetLevelErrorBound();
+    PrintMessage(text.str());
   }
 }
 
@@ -124,7 +145,7 @@ void RunRender(const RenderArguments& arguments)
   view.Pipeline().SetLabels(labels);
   view.Pipeline().SetOverlays(scene.overlays, overlays);
   auto* const ours = LimitedMapper(view, arguments.graphicsMegabytes);
-  const double seconds = view.Render();
+  const double seconds = view.RenderAll([&](double now) { TellOfLevel(ours, now); });
   std::vector<double> repeatSeconds;
   for (int i = 0; i < arguments.repeats; ++i)
   {

@@ -202,7 +202,7 @@ vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, vtkImageData* volu
   messages.Take(view.Pipeline().Mapper());
   messages.Take(view.Pipeline().Renderer());
   messages.Take(view.Pipeline().Renderer()->GetRenderWindow());
-  view.Render();
+  view.RenderAll();
   return view.Bytes();
 }
 

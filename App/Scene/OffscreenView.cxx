@@ -2,6 +2,7 @@
 
 #include "Scene/FloatCapture.h"
 
+#include <vtkVariationFieldVolumeMapper.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <chrono>
@@ -28,6 +29,21 @@ double OffscreenView::Render()
   this->window->WaitForCompletion();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   return elapsed.count();
+}
+
+double OffscreenView::RenderAll(const std::function<void(double)>& onImage)
+{
+  auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline.Mapper());
+  double seconds = 0.0;
+  do
+  {
+    seconds += this->Render();
+    if (onImage)
+    {
+      onImage(seconds);
+    }
+  } while (ours && ours->GetDrawnPart() < 1.0);
+  return seconds;
 }
 
 vtkSmartPointer<vtkImageData> OffscreenView::Bytes()

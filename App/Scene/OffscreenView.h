@@ -33,6 +33,11 @@ public:
   /// Renders, waits for the device to finish, and returns the time that this took [s].
   double Render();
 
+  /// Renders until a further image of the scene would not be more exact, see
+  /// vtkVariationFieldVolumeMapper::RefinedLevel, and returns the time that this took [s].
+  /// @param onImage  called for each image with the time since the beginning [s]
+  double RenderAll(const std::function<void(double)>& onImage = nullptr);
+
   /// The last rendered frame over its background, as a byte image.
   vtkSmartPointer<vtkImageData> Bytes();
 

@@ -267,6 +267,7 @@ enum class VolumeLevel
   Voxels,
   Coarse,
   Automatic, ///< coarse while somebody interacts
+  Refined,   ///< coarse where the image allows it
 };
 
 /// The values between the voxels.

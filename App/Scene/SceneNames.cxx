@@ -84,7 +84,8 @@ const NameTable<Domain>& DomainNames()
 const NameTable<VolumeLevel>& LevelNames()
 {
   static const NameTable<VolumeLevel> table = { { "voxels", VolumeLevel::Voxels },
-    { "coarse", VolumeLevel::Coarse }, { "automatic", VolumeLevel::Automatic } };
+    { "coarse", VolumeLevel::Coarse }, { "automatic", VolumeLevel::Automatic },
+    { "refined", VolumeLevel::Refined } };
   return table;
 }
 

@@ -230,6 +230,12 @@ def on_disk(folder):
         assert (bound > 0.0) == ("coarse" in options), bound
     memory, disk, coarse = pictures.values()
     assert memory == disk != coarse
+    _, notes = run("render", volume, "--memory", "0.2", "--detail", "refined", "--size", "64x64",
+                   "-o", folder / "a.png", "--json", folder / "render.json")
+    results = json.loads((folder / "render.json").read_text())
+    assert results["levelErrorBound"] <= 1 / 128, results
+    assert 0 < results["refinedBlocks"] <= results["visibleBlocks"], results
+    assert f"voxels of {results['refinedBlocks']} of {results['visibleBlocks']} visible" in notes, notes
     scene = {"volume": {"file": "torso.nrrd", "memory": 0.2}, "look": "mr-head"}
     (folder / "scene.json").write_text(json.dumps(scene))
     run("render", folder / "scene.json", "-o", folder / "b.png", "--json", folder / "render.json")

@@ -50,6 +50,26 @@ TEST(QualityPanel, RaysHaveAnEndOfTheirOwnOnlyWithoutAPromise)
   EXPECT_FALSE(promises->isChecked());
 }
 
+TEST(QualityPanel, RefinesOnlyVolumesInTheirFile)
+{
+  for (const bool isOnDisk : { false, true })
+  {
+    SceneModel model;
+    QualityPanel panel(&model);
+    panel.show();
+    const auto study = std::make_shared<Study>(*SmallStudy());
+    study->volume.isOnDisk = isOnDisk;
+    model.Open(ProceduralSource(), study);
+    auto* const refined = panel.findChild<QCheckBox*>("refined");
+    EXPECT_EQ(refined->isVisible(), isOnDisk);
+    refined->setVisible(true); // for the key
+    QTest::keyClick(refined, Qt::Key_Space);
+    EXPECT_EQ(model.CurrentScene().render.level, VolumeLevel::Refined);
+    model.History()->undo();
+    EXPECT_FALSE(refined->isChecked());
+  }
+}
+
 TEST(QualityPanel, ChoosesInterpolationAndJitter)
 {
   SceneModel model;

@@ -20,7 +20,7 @@ from .vtk_messages import vtk_messages_as_exceptions
 
 VIEWS = ("automatic", "anterior", "posterior", "left", "right", "superior", "inferior")
 BLENDS = ("composite", "maximum", "minimum", "average", "additive")
-LEVELS = ("voxels", "coarse")
+LEVELS = ("voxels", "coarse", "refined")
 INTERPOLATIONS = ("nearest", "linear", "cubic")
 # The largest side of a 2D texture that all relevant versions of OpenGL guarantee.
 LARGEST_SIDE = 16384
@@ -129,7 +129,9 @@ def render(
         is 0; default: 1 / 1024.
     interpolation: values between voxels: "nearest", "linear" or "cubic".
     detail: of a volume that read() has left in its file: "voxels", or "coarse" for the means of
-        4 x 4 x 4 voxels, which are in memory, as a first image. Other volumes have only voxels.
+        4 x 4 x 4 voxels, which are in memory, as a first image, or "refined" for voxels only where the
+        means may change the image by more than half of error_tolerance. Other volumes have only
+        voxels.
     jitter: True to offset the samples of each ray by blue noise, which hides rings of long steps.
 
     Raises ValueError or TypeError for bad arguments, and RuntimeError if the volume cannot be

@@ -32,6 +32,7 @@ QualityPanel::QualityPanel(SceneModel* model, QWidget* parent)
   this->MakeError();
   this->MakePromise();
   this->MakeInterpolation();
+  this->MakeDetail();
   connect(model, &SceneModel::Changed, this, &QualityPanel::Show);
   this->setEnabled(false);
 }
@@ -119,6 +120,22 @@ void QualityPanel::MakeInterpolation()
   this->form->addRow(this->jitter);
 }
 
+void QualityPanel::MakeDetail()
+{
+  this->refined = new QCheckBox(tr("Read only what the image needs"));
+  this->refined->setObjectName("refined");
+  this->refined->setToolTip(
+    tr("Coarse voxels stay where they change the image by less than half of the error"));
+  connect(this->refined, &QCheckBox::clicked, this,
+    [this](bool on)
+    {
+      this->Edit(tr("what is read"),
+        [on](RenderOptions& render)
+        { render.level = on ? VolumeLevel::Refined : RenderOptions().level; });
+    });
+  this->form->addRow(this->refined);
+}
+
 void QualityPanel::Edit(
   const QString& name, const std::function<void(RenderOptions&)>& change, int gesture)
 {
@@ -145,6 +162,8 @@ void QualityPanel::Show()
   this->form->labelForField(this->end)->setVisible(!promised);
   this->interpolation->setCurrentIndex(this->interpolation->findData(int(render.interpolation)));
   this->jitter->setChecked(render.jitter);
+  this->refined->setChecked(render.level == VolumeLevel::Refined);
+  this->refined->setVisible(this->model->CurrentStudy()->volume.isOnDisk);
 }
 
 }

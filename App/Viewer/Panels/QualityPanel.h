@@ -17,7 +17,7 @@ namespace varimarch
 class NumberSlider;
 
 /// The error tolerance of the rendered image, or none; the interpolation between voxels; and the
-/// jitter and the end of rays.
+/// jitter and the end of rays; for a volume that stays in its file, what is read of it.
 class QualityPanel : public QWidget
 {
   Q_OBJECT
@@ -29,6 +29,7 @@ private:
   void MakeError();
   void MakePromise();
   void MakeInterpolation();
+  void MakeDetail();
   void Edit(const QString& name, const std::function<void(RenderOptions&)>& change,
     int gesture = SceneModel::NoGesture);
   void Show();
@@ -41,6 +42,7 @@ private:
   NumberSlider* end;
   QComboBox* interpolation;
   QCheckBox* jitter;
+  QCheckBox* refined;
 };
 
 }

@@ -382,6 +382,18 @@ Fehler unbekannt</translation>
     </message>
     <message>
         <source>%1
+coarse voxels, error unknown</source>
+        <translation>%1
+grobe Voxel, Fehler unbekannt</translation>
+    </message>
+    <message>
+        <source>%1
+error at most %2 %, refining</source>
+        <translation>%1
+Fehler höchstens %2 %, wird verfeinert</translation>
+    </message>
+    <message>
+        <source>%1
 error not bounded</source>
         <translation>%1
 Fehler nicht begrenzt</translation>
@@ -2902,6 +2914,18 @@ Masken nicht unterstützt</translation>
     <message>
         <source>not promised</source>
         <translation>nicht versprochen</translation>
+    </message>
+    <message>
+        <source>Read only what the image needs</source>
+        <translation>Nur lesen, was das Bild braucht</translation>
+    </message>
+    <message>
+        <source>Coarse voxels stay where they change the image by less than half of the error</source>
+        <translation>Grobe Voxel bleiben, wo sie das Bild um weniger als den halben Fehler ändern</translation>
+    </message>
+    <message>
+        <source>what is read</source>
+        <translation>was gelesen wird</translation>
     </message>
 </context>
 <context>

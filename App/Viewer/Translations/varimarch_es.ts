@@ -382,6 +382,18 @@ error desconocido</translation>
     </message>
     <message>
         <source>%1
+coarse voxels, error unknown</source>
+        <translation>%1
+vóxeles gruesos, error desconocido</translation>
+    </message>
+    <message>
+        <source>%1
+error at most %2 %, refining</source>
+        <translation>%1
+error de %2 % como máximo, refinando</translation>
+    </message>
+    <message>
+        <source>%1
 error not bounded</source>
         <translation>%1
 error no acotado</translation>
@@ -2902,6 +2914,18 @@ no admite máscaras</translation>
     <message>
         <source>not promised</source>
         <translation>sin prometer</translation>
+    </message>
+    <message>
+        <source>Read only what the image needs</source>
+        <translation>Leer solo lo que la imagen necesita</translation>
+    </message>
+    <message>
+        <source>Coarse voxels stay where they change the image by less than half of the error</source>
+        <translation>Los vóxeles gruesos quedan donde cambian la imagen en menos de la mitad del error</translation>
+    </message>
+    <message>
+        <source>what is read</source>
+        <translation>lo que se lee</translation>
     </message>
 </context>
 <context>

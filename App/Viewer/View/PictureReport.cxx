@@ -39,8 +39,16 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
 
 PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper)
 {
-  return { mapper->GetAccumulatedPictures(), mapper->GetMaximumAccumulatedPictures(),
-    mapper->GetDrawnPart(), mapper->GetErrorTolerance(), mapper->GetErrorToleranceIsKept() };
+  PictureNumbers numbers = { mapper->GetAccumulatedPictures(),
+    mapper->GetMaximumAccumulatedPictures(), mapper->GetDrawnPart(), mapper->GetErrorTolerance(),
+    mapper->GetErrorToleranceIsKept() };
+  const int level = mapper->GetUsedLevelOfDetail();
+  numbers.isCoarse = level == vtkVariationFieldVolumeMapper::CoarseLevel;
+  if (level == vtkVariationFieldVolumeMapper::RefinedLevel && numbers.drawnPart < 1.0)
+  {
+    numbers.refinedError = mapper->GetLevelErrorBound();
+  }
+  return numbers;
 }
 
 QString PictureReport(
@@ -55,6 +63,17 @@ QString PictureReport(
   {
     const double part = ours->drawnPart * ours->mostAveraged;
     return Texts::tr("%1\n%2 % of the image").arg(time).arg(int(100.0 * part));
+  }
+  if (ours->isCoarse)
+  {
+    return Texts::tr("%1\ncoarse voxels, error unknown").arg(time);
+  }
+  if (ours->refinedError > 0.5 * ours->errorTolerance)
+  {
+    const double error = *ours->refinedError + 0.5 * ours->errorTolerance;
+    return Texts::tr("%1\nerror at most %2 %, refining")
+      .arg(time)
+      .arg(NumberText(100.0 * error, 1));
   }
   if (ours->errorTolerance <= 0.0)
   {
