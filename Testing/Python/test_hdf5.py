@@ -11,6 +11,7 @@ import tempfile
 
 import h5py
 import numpy
+import varimarch
 
 from pyramid_reading import TYPES, expect_refused, read, values_of
 
@@ -82,6 +83,42 @@ def bigdataviewer_files_have_levels_and_a_description(folder):
     expect_refused(folder / "a.xml", "2 setups", channel=2)
     (folder / "a.h5").unlink()
     expect_refused(folder / "a.xml", "a.h5", "no file of this name")
+
+
+def times_of_hdf5_are_chosen(folder):
+    """Times of Imaris, with the moments that it states or numbers, and of BigDataViewer."""
+    volumes = [values_of((7, 9, 11), "u2", seed) for seed in range(3)]
+
+    def write(seconds):
+        write_imaris(folder / "a.ims", volumes[0])
+        with h5py.File(folder / "a.ims", "r+") as file:
+            for time, values in enumerate(volumes):
+                if time > 0:
+                    for level in range(2):
+                        group = f"DataSet/ResolutionLevel {level}/TimePoint"
+                        file.copy(f"{group} 0", f"{group} {time}")
+                file[f"DataSet/ResolutionLevel 0/TimePoint {time}/Channel 0/Data"][:7, :9, :11] = values
+                moment = f"2024-02-29 23:59:{seconds[time]}"
+                file.require_group("DataSetInfo/TimeInfo").attrs[f"TimePoint{time + 1}"] = (
+                    numpy.array([letter.encode() for letter in moment], "S1"))
+
+    write(("50.250", "52.000", "53.750"))
+    with h5py.File(folder / "b.h5", "w") as file:
+        file["s00/resolutions"] = numpy.array(((1, 1, 1),), "f8")
+        for time, values in enumerate(volumes):
+            file.create_dataset(f"t{time:05}/s00/0/cells", data=values.view("i2"), chunks=(3, 4, 4))
+    for name, expected in ("a.ims", [0.0, 1.75, 3.5]), ("b.h5", [0.0, 1.0, 2.0]):
+        assert list(varimarch.times(str(folder / name))) == expected
+        for time, values in enumerate(volumes):
+            found, _, doubts = read(folder / name, time=time)
+            assert (found == values).all(), (name, time)
+            assert not any("times" in doubt for doubt in doubts), doubts
+        expect_refused(folder / name, "a time from 0 to 2", time=3)
+    write(("50", "later", "53"))
+    assert (read(folder / "a.ims", time=2)[0] == volumes[2]).all()
+    with h5py.File(folder / "a.ims", "r+") as file:
+        del file["DataSet/ResolutionLevel 1/TimePoint 2/Channel 0/Data"]
+    expect_refused(folder / "a.ims", "ResolutionLevel 1/TimePoint 2", time=2)
 
 
 def data_sets_of_hdf5_have_the_values_of_h5py(folder):

@@ -8,13 +8,18 @@
 #include "Readers/Pyramids/Hdf5File.h"
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkType.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 namespace varimarch
 {
@@ -48,10 +53,12 @@ private:
   std::string LargestDataSet() const;
   glm::dvec3 ElementSizeMm(const std::string& name);
   void NameOthers(const std::string& what, std::size_t count, std::size_t taken);
+  std::size_t TimeToRead() const;
 
   Hdf5Path path;
   std::unique_ptr<Hdf5File> file;
   std::size_t channel;
+  std::int64_t wantedTime;
   std::vector<std::string> dataSets;            ///< one for each level
   std::vector<std::vector<std::int64_t>> sizes; ///< sizes of these data sets
 };
@@ -60,6 +67,7 @@ Hdf5Pyramid::Hdf5Pyramid(const std::string& given, const ReadOptions& options)
   : path(Hdf5PathOf(FileOfBigDataViewer(given)))
   , file(std::make_unique<Hdf5File>(this->path.file))
   , channel(std::size_t(std::max(0, options.channel)))
+  , wantedTime(options.time)
 {
   if (!this->path.inner.empty())
   {
@@ -92,6 +100,14 @@ void Hdf5Pyramid::NameOthers(const std::string& what, std::size_t count, std::si
     this->form.warnings.push_back("The file holds " + std::to_string(count) + " " + what +
       "; only that of number " + std::to_string(taken) + ", counted from 0, was read.");
   }
+}
+
+/// The number of the wanted time. Whoever asked for it refuses one that is not among those of the
+/// form.
+std::size_t Hdf5Pyramid::TimeToRead() const
+{
+  const auto last = std::int64_t(this->form.times.values.size()) - 1;
+  return std::size_t(std::clamp<std::int64_t>(this->wantedTime, 0, last));
 }
 
 void Hdf5Pyramid::AddLevel(const Hdf5Level& level)
@@ -156,6 +172,43 @@ double NumberIn(const Hdf5File& file, const std::string& object, const std::stri
   return NumberFromText(file.Path(), "a number as " + name + " of " + object, text);
 }
 
+/// Seconds of a moment such as "2023-05-17 09:30:00.250" since one that is always the same; none
+/// for other texts.
+std::optional<double> SecondsOfMoment(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  std::tm moment = {};
+  if (!(stream >> std::get_time(&moment, "%Y-%m-%d %H:%M:%S")))
+  {
+    return std::nullopt;
+  }
+  double fraction = 0.0;
+  const bool isWhole = !(stream >> fraction);
+  return double(timegm(&moment)) + (isWhole ? 0.0 : fraction);
+}
+
+/// The times of an Imaris file, which says when each was scanned, counted from 1; numbers if it
+/// does not.
+VolumeTimes ImarisTimes(const Hdf5File& file, std::size_t count)
+{
+  std::vector<double> seconds;
+  for (std::size_t i = 1; i <= count; ++i)
+  {
+    const std::optional<double> moment = SecondsOfMoment(
+      Trimmed(file.TextAttribute("/DataSetInfo/TimeInfo", "TimePoint" + std::to_string(i))));
+    if (!moment)
+    {
+      return NumberedTimes(std::int64_t(count));
+    }
+    seconds.push_back(*moment);
+  }
+  const double first = seconds.empty() ? 0.0 : seconds.front();
+  std::transform(seconds.begin(), seconds.end(), seconds.begin(),
+    [first](double moment) { return moment - first; });
+  return StatedTimes(seconds);
+}
+
 void Hdf5Pyramid::TakeImaris()
 {
   const std::string info = "/DataSetInfo/Image";
@@ -170,13 +223,13 @@ void Hdf5Pyramid::TakeImaris()
     highest[axis] = NumberIn(*this->file, info, "ExtMax" + number) * mmPerUnit;
   }
   const std::string first = "/DataSet/ResolutionLevel 0";
-  this->NameOthers("times", this->file->Count(first + "/TimePoint %"), 0);
+  this->form.times = ImarisTimes(*this->file, this->file->Count(first + "/TimePoint %"));
   this->NameOthers("channels", this->file->Count(first + "/TimePoint 0/Channel %"), this->channel);
   const std::size_t count = this->file->Count("/DataSet/ResolutionLevel %");
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::string group = "/DataSet/ResolutionLevel " + std::to_string(i) +
-      "/TimePoint 0/Channel " + std::to_string(this->channel);
+    const std::string group = "/DataSet/ResolutionLevel " + std::to_string(i) + "/TimePoint " +
+      std::to_string(this->TimeToRead()) + "/Channel " + std::to_string(this->channel);
     Hdf5Level level = { group + "/Data", {}, {} };
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -195,11 +248,12 @@ void Hdf5Pyramid::TakeBigDataViewer()
 {
   const glm::dvec3 stepMm =
     BigDataViewerVoxelMm(this->path.file, this->channel, this->form.warnings);
-  this->NameOthers("times", CountOfNames(*this->file, "/t", 5), 0);
+  this->form.times = NumberedTimes(std::int64_t(CountOfNames(*this->file, "/t", 5)));
   this->NameOthers("setups", CountOfNames(*this->file, "/s", 2), this->channel);
   const std::string setup = NameOfNumber("/s", this->channel, 2);
+  const std::string time = NameOfNumber("/t", this->TimeToRead(), 5);
   const std::vector<double> factors = this->file->Numbers(setup + "/resolutions");
-  const std::size_t count = this->file->Count("/t00000" + setup + "/%/cells");
+  const std::size_t count = this->file->Count(time + setup + "/%/cells");
   if (count < 1 || factors.size() != 3 * count)
   {
     FailToRead(this->path.file,
@@ -209,7 +263,7 @@ void Hdf5Pyramid::TakeBigDataViewer()
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    Hdf5Level level = { "/t00000" + setup + "/" + std::to_string(i) + "/cells", {}, {} };
+    Hdf5Level level = { time + setup + "/" + std::to_string(i) + "/cells", {}, {} };
     for (int axis = 0; axis < 3; ++axis)
     {
       // A coarse voxel is the mean of as many fine ones, and lies in their middle.
