@@ -2,16 +2,14 @@
 // memory.
 
 #include "Module/MapperScene.h"
-#include "Module/PhantomFiles.h"
-#include "Scene/ProceduralVolume.h"
+#include "Module/VoxelsInChunks.h"
 #include "Support/ExpectedVtkErrors.h"
-#include "Support/UserFaults.h"
 
 #include <vtkStringArray.h>
-#include <vtkVolumeFileReader.h>
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,102 +26,24 @@ using namespace varimarch;
 namespace
 {
 
-/// Memory in which the voxels do not fit. The program has more, so that what was read is dropped
-/// again and again.
-constexpr vtkIdType LessThanTheVoxels = 1200000;
-
-/// The shape of a volume of shorts as Zarr, x first.
-struct Shape
+/// The number of pages of memory that are there, of those in which an image's voxels begin.
+std::size_t PagesThere(vtkImageData* image)
 {
-  std::array<int, 3> size;
-  std::array<int, 3> chunk;
-};
-
-// The rows of a unit begin and end inside pages, and at their borders.
-constexpr Shape uneven = { { 203, 89, 71 }, { 32, 16, 8 } };
-constexpr Shape even = { { 256, 64, 72 }, { 64, 16, 8 } };
-
-class VoxelsInChunks : public testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    if (!HasUserFaults())
-    {
-      GTEST_SKIP() << "the system refuses userfaultfd";
-    }
-  }
-
-  static vtkSmartPointer<vtkImageData> Torso(const Shape& shape)
-  {
-    return ProceduralVolume({ ProceduralKind::Torso, shape.size, 7 });
-  }
-
-  static const short* Voxels(vtkImageData* image)
-  {
-    return static_cast<const short*>(image->GetScalarPointer());
-  }
-
-  std::string ChunkOf(const std::array<int, 3>& index) const
-  {
-    return "a.zarr/" + std::to_string(index[2]) + "." + std::to_string(index[1]) + "." +
-      std::to_string(index[0]);
-  }
-
-  void WriteChunk(vtkImageData* image, const Shape& shape, const std::array<int, 3>& index)
-  {
-    const auto& chunk = shape.chunk;
-    std::vector<short> voxels;
-    for (int i = 0; i < chunk[0] * chunk[1] * chunk[2]; ++i)
-    {
-      const std::array<int, 3> at = { index[0] * chunk[0] + i % chunk[0],
-        index[1] * chunk[1] + i / chunk[0] % chunk[1],
-        index[2] * chunk[2] + i / (chunk[0] * chunk[1]) };
-      const bool isInside = at[0] < shape.size[0] && at[1] < shape.size[1] && at[2] < shape.size[2];
-      voxels.push_back(isInside
-          ? Voxels(image)[(vtkIdType(at[2]) * shape.size[1] + at[1]) * shape.size[0] + at[0]]
-          : short(0));
-    }
-    this->folder.Write(
-      this->ChunkOf(index), { reinterpret_cast<const char*>(voxels.data()), 2 * voxels.size() });
-  }
-
-  std::string WriteZarr(vtkImageData* image, const Shape& shape, int fill = 0)
-  {
-    const auto text = [](const std::array<int, 3>& sizes)
-    {
-      return "[" + std::to_string(sizes[2]) + ", " + std::to_string(sizes[1]) + ", " +
-        std::to_string(sizes[0]) + "]";
-    };
-    this->folder.Write("a.zarr/.zarray",
-      R"({"zarr_format": 2, "shape": )" + text(shape.size) + R"(, "chunks": )" + text(shape.chunk) +
-        R"(, "dtype": "<i2", "compressor": null, "order": "C", "filters": null, "fill_value": )" +
-        std::to_string(fill) + "}");
-    for (int k = 0; k * shape.chunk[2] < shape.size[2]; ++k)
-    {
-      for (int j = 0; j * shape.chunk[1] < shape.size[1]; ++j)
-      {
-        for (int i = 0; i * shape.chunk[0] < shape.size[0]; ++i)
-        {
-          this->WriteChunk(image, shape, { i, j, k });
-        }
-      }
-    }
-    return this->folder.Path("a.zarr");
-  }
-
-  vtkImageData* Read(const std::string& path, vtkIdType memory = LessThanTheVoxels)
-  {
-    this->reader->SetFileName(path.c_str());
-    this->reader->SetMaximumHostMemory(memory);
-    this->reader->Modified();
-    this->reader->Update();
-    return this->reader->GetOutput();
-  }
-
-  TemporaryFolder folder;
-  vtkNew<vtkVolumeFileReader> reader;
-};
+  constexpr std::uint64_t IsPresent = 1ull << 63; // a bit of /proc/self/pagemap
+  const auto pageBytes = std::size_t(sysconf(_SC_PAGESIZE));
+  const auto first = reinterpret_cast<std::uintptr_t>(image->GetScalarPointer()) / pageBytes;
+  std::vector<std::uint64_t> entries(
+    (std::size_t(image->GetNumberOfPoints()) * std::size_t(image->GetScalarSize()) - 1) /
+      pageBytes +
+    1);
+  const int map = open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC);
+  const auto place = off_t(first * sizeof(entries[0]));
+  EXPECT_EQ(pread(map, entries.data(), entries.size() * sizeof(entries[0]), place),
+    ssize_t(entries.size() * sizeof(entries[0])));
+  close(map);
+  return std::size_t(std::count_if(
+    entries.begin(), entries.end(), [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
+}
 
 TEST_F(VoxelsInChunks, AreThoseOfTheChunks)
 {
@@ -143,8 +63,9 @@ TEST_F(VoxelsInChunks, AreThoseOfTheChunks)
 
 TEST_F(VoxelsInChunks, AreReadByThreadsThatTouchThemAnywhere)
 {
+  constexpr vtkIdType EnoughForTwoReaders = 5000000;
   const vtkSmartPointer<vtkImageData> torso = Torso(uneven);
-  vtkImageData* const image = this->Read(this->WriteZarr(torso, uneven));
+  vtkImageData* const image = this->Read(this->WriteZarr(torso, uneven), EnoughForTwoReaders);
   ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
   const auto differ = [&](unsigned seed)
   {
@@ -251,6 +172,45 @@ TEST_F(VoxelsInChunks, ThatWereWrittenStay)
     std::this_thread::sleep_for(std::chrono::milliseconds(50)); // long enough for some drops
     EXPECT_EQ(voxels[place], 12345);
   }
+}
+
+TEST_F(VoxelsInChunks, OfPagesOfZerosStayWithoutMemory)
+{
+  const vtkSmartPointer<vtkImageData> needle = Needle(even);
+  vtkImageData* const image = this->Read(this->WriteZarr(needle, even));
+  ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+  auto* const voxels = static_cast<volatile short*>(image->GetScalarPointer());
+  const vtkIdType count = image->GetNumberOfPoints();
+  for (int round = 0; round < 2; ++round)
+  {
+    // Pages that were dropped are read again, those of zeros are there. The newest units stay.
+    EXPECT_TRUE(std::equal(Voxels(needle), Voxels(needle) + count, Voxels(image)));
+    std::this_thread::sleep_for(std::chrono::milliseconds(50)); // long enough for some drops
+    const std::size_t pages = std::size_t(count) * sizeof(short) / std::size_t(getpagesize());
+    EXPECT_GE(PagesThere(image), pages - std::size_t(even.size[2]));
+    EXPECT_LT(PagesThere(image), pages);
+  }
+  // A page of zeros is written, and the unit that it is in dropped and read again.
+  const vtkIdType pageBehind = Middle(even, 0) + 8 * even.size[0];
+  voxels[pageBehind] = 12345;
+  EXPECT_TRUE(
+    std::equal(Voxels(needle) + count / 2, Voxels(needle) + count, Voxels(image) + count / 2));
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(voxels[Middle(even, 0)], 700);
+  EXPECT_EQ(voxels[pageBehind], 12345);
+}
+
+TEST_F(VoxelsInChunks, OfChunksOfZerosAreNotRead)
+{
+  const vtkSmartPointer<vtkImageData> needle = Needle(even);
+  vtkImageData* const image = this->Read(this->WriteZarr(needle, even));
+  ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+  MapperScene scene(image);
+  this->folder.Write(this->ChunkOf({ 0, 2, 4 }), "half"); // in a row with chunks of other voxels
+  this->folder.Write(this->ChunkOf({ 1, 0, 4 }), "half"); // in a row of zeros
+  const vtkIdType count = image->GetNumberOfPoints();
+  EXPECT_TRUE(std::equal(Voxels(needle), Voxels(needle) + count, Voxels(image)));
+  scene.DrawByProcessor(); // reports no error
 }
 
 TEST_F(VoxelsInChunks, HaveNewRangesAfterAChunkWasWritten)

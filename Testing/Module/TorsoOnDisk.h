@@ -4,6 +4,8 @@
 #include "Module/MapperScene.h"
 #include "Module/PhantomFiles.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkVolumeFileReader.h>
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 
 #include "Unit/MemorySource.h"
 
+#include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -219,6 +220,35 @@ TEST(VolumeSummary, OfWhatIsStoredIsThatOfTheWhole)
       ExpectSummaryOfStoredBox<std::int16_t>(VoxelType::Int16, stored);
       ExpectSummaryOfStoredBox<float>(VoxelType::Float32, stored);
     }
+  }
+}
+
+TEST(VolumeSummary, TellsWhichBoxesAreZero)
+{
+  std::mt19937 random(7);
+  const glm::ivec3 size(SliceDimensions, 20);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    const auto place = [&]
+    { return glm::ivec3(glm::uvec3(random(), random(), random()) % glm::uvec3(size)); };
+    const glm::ivec3 voxel = place();
+    std::vector<std::int16_t> voxels(std::size_t(size.x * size.y * size.z));
+    voxels[std::size_t((voxel.z * size.y + voxel.y) * size.x + voxel.x)] = trial % 2 == 0 ? 1 : -1;
+    const MemorySource<std::int16_t> source(VoxelType::Int16, std::move(voxels));
+    const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+    const glm::ivec3 one = place();
+    const glm::ivec3 other = place();
+    const glm::ivec3 lower = glm::min(one, other);
+    const glm::ivec3 upper = glm::max(one, other) + 1;
+    const bool isFound =
+      !AreZero(summary.ranges, { { lower.x, lower.y, lower.z }, { upper.x, upper.y, upper.z } });
+    constexpr int Side = BrickRanges::CellsPerSide; // ranges are those of whole bricks
+    const bool isInside =
+      glm::all(glm::greaterThanEqual(voxel, lower)) && glm::all(glm::lessThan(voxel, upper));
+    const bool isNear = glm::all(glm::greaterThanEqual(voxel, lower - Side)) &&
+      glm::all(glm::lessThan(voxel, upper + Side));
+    EXPECT_TRUE(isFound || !isInside) << trial;
+    EXPECT_TRUE(isNear || !isFound) << trial;
   }
 }
 

@@ -1,8 +1,12 @@
 #include "Readers/ChunkedVoxels.h"
 
+#include "Core/Blocks/Runs.h"
+#include "Core/Fields/VolumeSummary.h"
 #include "Readers/FileError.h"
 #include "Readers/PageMap.h"
 #include "Readers/VoxelLayout.h"
+
+#include <tbb/task_arena.h>
 
 #include <sys/mman.h>
 
@@ -39,6 +43,20 @@ double WantedUnitBytes(std::uint64_t mostMemoryBytes)
   return std::min(16e6, double(mostMemoryBytes) / 256.0);
 }
 
+/// The number of units that a part of the memory has room for: at least 1, and at most some for
+/// each thread that may wait for voxels.
+std::size_t UnitsIn(double memoryBytes, std::uint64_t unitBytes, int mostPerThread)
+{
+  const double most = double(mostPerThread) * double(tbb::this_task_arena::max_concurrency());
+  return std::size_t(std::clamp(memoryBytes / double(unitBytes), 1.0, most));
+}
+
+bool IsPageOfZeros(const char* page)
+{
+  static const std::vector<char> zeros(PageBytes());
+  return std::memcmp(page, zeros.data(), zeros.size()) == 0;
+}
+
 /// The bytes of a slice of a box that is in memory; 0 without voxels.
 std::size_t BytesOfSlice(const std::vector<char>& voxels, const BrickSource::Box& box)
 {
@@ -66,12 +84,15 @@ std::string ChunkedVoxels::Obstacle(
     : "";
 }
 
-ChunkedVoxels::ChunkedVoxels(std::unique_ptr<const BrickSource> newSource, const std::string& path,
+ChunkedVoxels::ChunkedVoxels(std::unique_ptr<const BrickSource> newSource,
+  std::shared_ptr<const VolumeSummary> newSummary, const std::string& path,
   std::uint64_t mostMemoryBytes)
   : source(std::move(newSource))
+  , summary(std::move(newSummary))
   , voxelBytes(BytesOfVoxel(this->source->Type()))
   , units(this->source->Levels().front(), this->voxelBytes, PageBytes(),
       WantedUnitBytes(mostMemoryBytes))
+  , unitsToKeep(UnitsIn(double(mostMemoryBytes) / 4.0, this->units.MostBytes(), 2))
   , states(this->units.Count())
 {
   const auto& size = this->source->Levels().front().dimensions;
@@ -92,10 +113,16 @@ ChunkedVoxels::ChunkedVoxels(std::unique_ptr<const BrickSource> newSource, const
   try
   {
     this->faults.emplace(this->pages, this->pageBytes);
-    this->server = std::thread([this] { this->Serve(); });
+    // They have units of their own while they read.
+    const std::size_t servers = UnitsIn(double(mostMemoryBytes) / 16.0, this->units.MostBytes(), 1);
+    while (this->servers.size() < servers)
+    {
+      this->servers.emplace_back([this] { this->Serve(); });
+    }
   }
   catch (const std::exception& error)
   {
+    this->Stop();
     munmap(this->pages, this->pageBytes);
     FailToRead(path, "voxels that are read when they are needed", error.what());
   }
@@ -103,10 +130,21 @@ ChunkedVoxels::ChunkedVoxels(std::unique_ptr<const BrickSource> newSource, const
 
 ChunkedVoxels::~ChunkedVoxels()
 {
-  this->faults->Stop();
-  this->server.join();
-  this->faults.reset();
+  this->Stop();
   munmap(this->pages, this->pageBytes);
+}
+
+void ChunkedVoxels::Stop()
+{
+  if (this->faults)
+  {
+    this->faults->Stop();
+  }
+  for (std::thread& server : this->servers)
+  {
+    server.join();
+  }
+  this->faults.reset();
 }
 
 std::string ChunkedVoxels::Problem() const
@@ -121,36 +159,57 @@ std::vector<PagedVoxels::Part> ChunkedVoxels::DroppableParts(const PageMap&, std
   std::vector<Part> parts;
   for (std::size_t i = 0; i < this->states.size(); ++i)
   {
-    if (this->states[i].state == State::Read)
+    const Unit& unit = this->states[i];
+    if (unit.state == State::There && !unit.isWritten && unit.droppableBytes > 0)
     {
-      parts.push_back({ i, this->BytesOf(i), this->states[i].readAt });
+      parts.push_back({ i, unit.droppableBytes, unit.readAt });
     }
   }
+  // Whoever waited for the newest may not have gone on yet: dropped at once, they would be read
+  // again and again.
+  const auto newest = parts.end() - std::ptrdiff_t(std::min(parts.size(), this->unitsToKeep));
+  std::nth_element(parts.begin(), newest, parts.end(),
+    [](const Part& one, const Part& other) { return one.grew < other.grew; });
+  parts.erase(newest, parts.end());
   return parts;
 }
 
 std::size_t ChunkedVoxels::Drop(std::size_t index, const PageMap&)
 {
   const std::lock_guard<std::mutex> lock(this->mutex);
-  if (this->states[index].state != State::Read)
+  Unit& unit = this->states[index];
+  if (unit.state != State::There || unit.isWritten || unit.droppableBytes == 0)
   {
     return 0;
   }
-  const BrickSource::Box box = this->units.BoxOf(index);
-  for (std::int64_t slice = box.lower[2]; slice < box.upper[2]; ++slice)
+  for (const Pages& pages : this->PagesOf(index))
   {
-    const VoxelUnits::Run run = this->units.RunOf(index, slice);
-    madvise(this->pages + run.begin, run.end - run.begin, MADV_DONTNEED);
+    EachRun(
+      pages.count, [&](std::size_t page) -> bool { return unit.areZeros[pages.first + page]; },
+      [&](std::size_t begin, std::size_t end, bool areZeros)
+      {
+        if (!areZeros)
+        {
+          madvise(pages.bytes + begin * PageBytes(), (end - begin) * PageBytes(), MADV_DONTNEED);
+        }
+      });
   }
-  this->states[index].state = State::Missing;
-  return this->BytesOf(index);
+  unit.state = State::Missing;
+  return unit.droppableBytes;
 }
 
-std::size_t ChunkedVoxels::BytesOf(std::size_t unit) const
+std::vector<ChunkedVoxels::Pages> ChunkedVoxels::PagesOf(std::size_t unit) const
 {
   const BrickSource::Box box = this->units.BoxOf(unit);
-  const VoxelUnits::Run run = this->units.RunOf(unit, box.lower[2]);
-  return std::size_t(run.end - run.begin) * std::size_t(box.upper[2] - box.lower[2]);
+  std::vector<Pages> all;
+  std::size_t first = 0;
+  for (std::int64_t slice = box.lower[2]; slice < box.upper[2]; ++slice)
+  {
+    const VoxelUnits::Run run = this->units.RunOf(unit, slice);
+    all.push_back({ this->pages + run.begin, first, (run.end - run.begin) / PageBytes() });
+    first += all.back().count;
+  }
+  return all;
 }
 
 void ChunkedVoxels::Serve()
@@ -161,58 +220,105 @@ void ChunkedVoxels::Serve()
     if (fault->isFirstWrite)
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
-      State& state = this->states[unit].state;
-      state = state == State::Read ? State::Kept : state;
+      this->states[unit].isWritten = this->states[unit].state != State::Missing;
       this->faults->AllowWriting(fault->page);
       continue;
     }
-    this->Provide(unit);
-    this->faults->Wake(fault->page);
+    const State before = this->Begin(unit);
+    if (before == State::Missing)
+    {
+      this->Provide(unit);
+    }
+    if (before != State::Coming) // else the page that is put there lets those go on who wait for it
+    {
+      this->faults->Wake(fault->page);
+    }
   }
 }
 
-// No other thread provides a unit, so that the lock is not held while it is read and put there.
-// MappedMemory needs the lock to drop others, for which pages have to wait where memory is short.
+ChunkedVoxels::State ChunkedVoxels::Begin(std::size_t unit)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  State& state = this->states[unit].state;
+  return std::exchange(state, state == State::Missing ? State::Coming : state);
+}
+
+// The lock is not held while the unit is read and put there: others are read at the same time, and
+// MappedMemory needs it to drop units, for which pages have to wait where memory is short.
 void ChunkedVoxels::Provide(std::size_t unit)
 {
-  {
-    const std::lock_guard<std::mutex> lock(this->mutex);
-    if (this->states[unit].state != State::Missing)
-    {
-      return;
-    }
-  }
+  std::string newProblem;
   try
   {
-    const bool isOfZeros = this->IsOfZeros(unit);
+    const std::optional<BrickSource::Box> behind = this->units.BoxBehind(unit);
+    const bool isOfZeros =
+      this->IsOfZeros(this->units.BoxOf(unit)) && (!behind || this->IsOfZeros(*behind));
     isOfZeros ? this->PutZeros(unit) : this->PutVoxels(unit);
-    const std::lock_guard<std::mutex> lock(this->mutex);
-    this->states[unit] = { isOfZeros ? State::Kept : State::Read, TimeNow() };
   }
   catch (const std::exception& error)
   {
     this->PutZeros(unit);
-    const std::lock_guard<std::mutex> lock(this->mutex);
-    this->states[unit].state = State::Kept;
-    this->problem = error.what();
-    this->problem.resize(this->problem.find_last_not_of('.') + 1);
-    this->problem += "; voxels that are missing count as 0. Open the volume again when it is whole";
+    newProblem = error.what();
+    newProblem.resize(newProblem.find_last_not_of('.') + 1);
+    newProblem += "; voxels that are missing count as 0. Open the volume again when it is whole";
   }
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  this->states[unit].state = State::There;
+  this->states[unit].readAt = TimeNow();
+  this->problem = newProblem.empty() ? this->problem : newProblem;
 }
 
-bool ChunkedVoxels::IsOfZeros(std::size_t unit) const
+// The ranges of floats do not tell 0 from values that are nearly 0.
+bool ChunkedVoxels::IsOfZeros(const BrickSource::Box& box) const
 {
-  const std::optional<BrickSource::Box> behind = this->units.BoxBehind(unit);
-  return this->source->Fill() == 0.0 && IsEmpty(this->source->Occupied(this->units.BoxOf(unit))) &&
-    (!behind || IsEmpty(this->source->Occupied(*behind)));
+  const bool isNotStored = this->source->Fill() == 0.0 && IsEmpty(this->source->Occupied(box));
+  return isNotStored ||
+    (this->source->Type() != VoxelType::Float32 && AreZero(this->summary->ranges, box));
 }
 
+/// Reads all but columns of chunks that are known to be zeros.
 std::vector<char> ChunkedVoxels::VoxelsOf(const BrickSource::Box& box) const
 {
   const auto rows = std::size_t((box.upper[1] - box.lower[1]) * (box.upper[2] - box.lower[2]));
   std::vector<char> voxels(rows * this->units.RowBytes());
-  this->source->Read(0, box, voxels.data());
+  const std::int64_t width = this->source->Levels().front().chunk[0];
+  const auto column = [&](std::size_t begin, std::size_t end)
+  {
+    BrickSource::Box part = box;
+    part.lower[0] = std::int64_t(begin) * width;
+    part.upper[0] = std::min(std::int64_t(end) * width, box.upper[0]);
+    return part;
+  };
+  EachRun(
+    std::size_t((box.upper[0] + width - 1) / width),
+    [&](std::size_t i) { return this->IsOfZeros(column(i, i + 1)); },
+    [&](std::size_t begin, std::size_t end, bool areZeros)
+    {
+      if (!areZeros)
+      {
+        this->ReadColumns(column(begin, end), voxels);
+      }
+    });
   return voxels;
+}
+
+void ChunkedVoxels::ReadColumns(const BrickSource::Box& columns, std::vector<char>& rows) const
+{
+  const auto bytes = std::size_t(columns.upper[0] - columns.lower[0]) * this->voxelBytes;
+  const std::size_t rowBytes = this->units.RowBytes();
+  if (bytes == rowBytes)
+  {
+    this->source->Read(0, columns, rows.data());
+    return;
+  }
+  const std::size_t count = rows.size() / rowBytes;
+  std::vector<char> read(count * bytes);
+  this->source->Read(0, columns, read.data());
+  const std::size_t first = std::size_t(columns.lower[0]) * this->voxelBytes;
+  for (std::size_t row = 0; row < count; ++row)
+  {
+    std::memcpy(rows.data() + row * rowBytes + first, read.data() + row * bytes, bytes);
+  }
 }
 
 void ChunkedVoxels::PutVoxels(std::size_t unit)
@@ -223,30 +329,66 @@ void ChunkedVoxels::PutVoxels(std::size_t unit)
   const std::vector<char> behind = boxBehind ? this->VoxelsOf(*boxBehind) : std::vector<char>();
   const std::size_t ownSlice = BytesOfSlice(own, box);
   const std::size_t sliceBehind = boxBehind ? BytesOfSlice(behind, *boxBehind) : 0;
+  const std::vector<Pages> slices = this->PagesOf(unit);
+  this->states[unit].areZeros.resize(slices.back().first + slices.back().count);
+  this->states[unit].droppableBytes = 0;
   std::vector<char> bytes;
-  for (std::int64_t slice = box.lower[2]; slice < box.upper[2]; ++slice)
+  for (std::size_t number = 0; number < slices.size(); ++number)
   {
-    const auto number = std::size_t(slice - box.lower[2]);
-    const VoxelUnits::Run run = this->units.RunOf(unit, slice);
-    const std::size_t skipped = run.begin - this->units.ByteOfRow(box.lower[1], slice);
+    const Pages& pages = slices[number];
+    const std::size_t skipped = std::size_t(pages.bytes - this->pages) -
+      this->units.ByteOfRow(box.lower[1], box.lower[2] + std::int64_t(number));
     bytes.assign(own.begin() + std::ptrdiff_t(number * ownSlice + skipped),
       own.begin() + std::ptrdiff_t((number + 1) * ownSlice));
     const auto next =
       behind.begin() + std::ptrdiff_t(std::min(number * sliceBehind, behind.size()));
     bytes.insert(bytes.end(), next,
       next + std::ptrdiff_t(std::min(sliceBehind, std::size_t(behind.end() - next))));
-    bytes.resize(run.end - run.begin);
-    this->faults->Put(this->pages + run.begin, bytes.data(), bytes.size());
+    bytes.resize(pages.count * PageBytes());
+    this->PutPages(pages, bytes, this->states[unit]);
   }
 }
 
+// Pages that were put there as zeros are still there.
+void ChunkedVoxels::PutPages(const Pages& pages, const std::vector<char>& bytes, Unit& unit)
+{
+  enum class Kind
+  {
+    IsThere,
+    Zeros,
+    Voxels
+  };
+  const auto kindOf = [&](std::size_t page)
+  {
+    return unit.areZeros[pages.first + page]             ? Kind::IsThere
+      : IsPageOfZeros(bytes.data() + page * PageBytes()) ? Kind::Zeros
+                                                         : Kind::Voxels;
+  };
+  const auto put = [&](std::size_t begin, std::size_t end, Kind kind)
+  {
+    const std::size_t from = begin * PageBytes();
+    const std::size_t count = (end - begin) * PageBytes();
+    if (kind == Kind::Zeros)
+    {
+      this->faults->PutZeros(pages.bytes + from, count);
+      std::fill_n(unit.areZeros.begin() + std::ptrdiff_t(pages.first + begin), end - begin, true);
+    }
+    if (kind == Kind::Voxels)
+    {
+      this->faults->Put(pages.bytes + from, bytes.data() + from, count);
+      unit.droppableBytes += count;
+    }
+  };
+  EachRun(pages.count, kindOf, put);
+}
+
+// They stay, as all pages of zeros do.
 void ChunkedVoxels::PutZeros(std::size_t unit)
 {
-  const BrickSource::Box box = this->units.BoxOf(unit);
-  for (std::int64_t slice = box.lower[2]; slice < box.upper[2]; ++slice)
+  this->states[unit].droppableBytes = 0;
+  for (const Pages& pages : this->PagesOf(unit))
   {
-    const VoxelUnits::Run run = this->units.RunOf(unit, slice);
-    this->faults->PutZeros(this->pages + run.begin, run.end - run.begin);
+    this->faults->PutZeros(pages.bytes, pages.count * PageBytes());
   }
 }
 

@@ -15,9 +15,10 @@
 namespace varimarch
 {
 
-/// The voxels of a volume in chunks as an image in the address space. A thread reads a unit of them
-/// when one of its pages is touched, and whoever touches it waits. They may be written; a unit with
-/// such a page stays in memory.
+/// The voxels of a volume in chunks as an image in the address space. Threads read a unit of them
+/// when one of its pages is touched, and whoever touches it waits. Pages of zeros need no memory
+/// and are never dropped, so that they may be written without notice. Of a unit with another page
+/// that was written all stays in memory.
 ///
 /// Voxels that cannot be read are 0; Problem() then says why.
 class ChunkedVoxels : public PagedVoxels
@@ -30,8 +31,10 @@ public:
     const BrickSource::Level& level, std::size_t voxelBytes, std::uint64_t mostMemoryBytes);
 
   /// @param source  its level 0 is read, for which there is no obstacle
+  /// @param summary  the facts about that level
   /// @throws std::runtime_error if the system refuses
-  ChunkedVoxels(std::unique_ptr<const BrickSource> source, const std::string& path,
+  ChunkedVoxels(std::unique_ptr<const BrickSource> source,
+    std::shared_ptr<const VolumeSummary> summary, const std::string& path,
     std::uint64_t mostMemoryBytes);
   ~ChunkedVoxels() override;
 
@@ -44,32 +47,49 @@ private:
   enum class State
   {
     Missing,
-    Read,
-    Kept ///< written, or zeros that need no memory
+    Coming, ///< a thread reads it
+    There
   };
 
   struct Unit
   {
     State state = State::Missing;
+    bool isWritten = false;   ///< true if a page is, other than one of zeros
     std::uint64_t readAt = 0; ///< time of the steady clock
+    std::size_t droppableBytes = 0;
+    std::vector<bool> areZeros; ///< for each page, true if it was put there as zeros
+  };
+
+  /// The pages of a unit in one of its slices.
+  struct Pages
+  {
+    char* bytes;
+    std::size_t first; ///< number of the first in the unit
+    std::size_t count;
   };
 
   void Serve();
+  void Stop();
+  State Begin(std::size_t unit);
   void Provide(std::size_t unit);
-  bool IsOfZeros(std::size_t unit) const;
+  bool IsOfZeros(const BrickSource::Box& box) const;
   std::vector<char> VoxelsOf(const BrickSource::Box& box) const;
+  void ReadColumns(const BrickSource::Box& columns, std::vector<char>& rows) const;
   void PutVoxels(std::size_t unit);
+  void PutPages(const Pages& pages, const std::vector<char>& bytes, Unit& unit);
   void PutZeros(std::size_t unit);
-  std::size_t BytesOf(std::size_t unit) const;
+  std::vector<Pages> PagesOf(std::size_t unit) const;
 
   std::unique_ptr<const BrickSource> source;
+  std::shared_ptr<const VolumeSummary> summary;
   std::size_t voxelBytes;
   VoxelUnits units;
   std::optional<PageFaults> faults;
   mutable std::mutex mutex; ///< held to change states, to drop pages, and for the problem
-  std::vector<Unit> states;
+  std::size_t unitsToKeep;  ///< the number of the newest units that are not dropped
+  std::vector<Unit> states; ///< the bytes and pages of a unit belong to the thread that reads it
   std::string problem;
-  std::thread server;
+  std::vector<std::thread> servers;
 };
 
 }

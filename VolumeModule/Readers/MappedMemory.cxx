@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <mutex>
 #include <new>
+#include <random>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -169,6 +170,9 @@ private:
     }
     std::stable_sort(parts.begin(), parts.end(),
       [](const PartOfAny& one, const PartOfAny& other) { return one.part.grew < other.part.grew; });
+    // An image needs about the same parts as the one before, in the same order: if they do not fit,
+    // the oldest are those that are needed next. Chance keeps most of them.
+    std::shuffle(parts.begin(), parts.end() - std::ptrdiff_t(parts.size() / 4), this->chance);
     std::uint64_t dropped = 0;
     for (auto next = parts.begin(); next != parts.end() && dropped < wantedBytes; ++next)
     {
@@ -181,6 +185,7 @@ private:
   std::vector<Kept> all;
   std::vector<Kept> ofParent; ///< in a process that was forked: voxels that it does not have
   std::thread watcher;
+  std::minstd_rand chance;
 };
 
 // They are never destroyed, because an array of paged voxels may outlive any other object.

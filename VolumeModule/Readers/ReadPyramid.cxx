@@ -216,9 +216,8 @@ LevelImage PagedLevel(const PyramidOrder& order,
   const auto summary = KeptSummary({ *source, layout.scalarType, order.path,
                                      order.path + "." + number, source->Stamp(), mostBytes },
     progress);
-  return { PagedImage(std::make_unique<ChunkedVoxels>(std::move(source), order.path, mostBytes),
-             layout, summary, mostBytes),
-    missing };
+  auto voxels = std::make_unique<ChunkedVoxels>(std::move(source), summary, order.path, mostBytes);
+  return { PagedImage(std::move(voxels), layout, summary, mostBytes), missing };
 }
 
 /// Reads a level, or leaves it in its chunks if it does not fit.

@@ -264,6 +264,32 @@ VolumeSummary UnfilledSummary(
   return summary;
 }
 
+bool AreZero(const BrickRanges& ranges, const BrickSource::Box& box)
+{
+  const glm::ivec3 count = ranges.BrickCount();
+  // The last brick has the last voxel of its far faces too.
+  const auto brickOf = [&](const std::array<std::int64_t, 3>& voxel)
+  { return glm::min(glm::ivec3(voxel[0], voxel[1], voxel[2]) / Side, count - 1); };
+  const glm::ivec3 first = brickOf(box.lower);
+  const glm::ivec3 last = brickOf({ box.upper[0] - 1, box.upper[1] - 1, box.upper[2] - 1 });
+  const double zero = -ranges.FirstValue() / ranges.ValuePerStep();
+  for (int row = 0; row < (last.y - first.y + 1) * (last.z - first.z + 1); ++row)
+  {
+    const int y = first.y + row % (last.y - first.y + 1);
+    const int z = first.z + row / (last.y - first.y + 1);
+    const std::size_t begin = (std::size_t(z) * count.y + y) * count.x;
+    for (std::size_t brick = begin + first.x; brick <= begin + last.x; ++brick)
+    {
+      const BrickRanges::Steps steps = ranges[brick];
+      if (steps.smallest != zero || steps.largest != zero)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type)
 {
   double bricks = 1.0; // the product of the numbers that a forged file states may be beyond 2^64

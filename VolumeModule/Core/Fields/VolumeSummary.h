@@ -41,6 +41,9 @@ struct VolumeSummary
 VolumeSummary UnfilledSummary(
   const BrickSource::Level& level, VoxelType type, double smallest, double largest);
 
+/// True if the ranges of whole numbers tell that all voxels of a box are 0.
+bool AreZero(const BrickRanges& ranges, const BrickSource::Box& box);
+
 /// Memory of the ranges and of the field of a volume, with what is needed to build them [bytes].
 std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type);
 
