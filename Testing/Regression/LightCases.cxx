@@ -244,6 +244,12 @@ RegressionScene LabelMapOverTwoValues()
 
 std::vector<RegressionCase> LightCases()
 {
+  RegressionCase softShadows{ "SoftShadows",
+    [] { return OfBallOverPlate(SoftShadows, MaterialInOwnShadows); } };
+  softShadows.refusal = "without a graphics card OpenGL ends the short segments of rays to lights";
+  RegressionCase occlusion{ "AmbientOcclusion",
+    [] { return OfBallOverPlate(AmbientOcclusion, OccludedMaterial); } };
+  occlusion.refusal = "has no ambient occlusion";
   return {
     TorsoCase("HeadLight", HeadLight),
     MaterialCase("SeveralLights", SeveralLights, MaterialInLights),
@@ -254,8 +260,8 @@ std::vector<RegressionCase> LightCases()
     { "Shadows", [] { return InShadows(DirectionalLight); } },
     { "ShadowsOfALamp", [] { return InShadows(PositionalLight); } },
     { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); } },
-    { "SoftShadows", [] { return OfBallOverPlate(SoftShadows, MaterialInOwnShadows); } },
-    { "AmbientOcclusion", [] { return OfBallOverPlate(AmbientOcclusion, OccludedMaterial); } },
+    softShadows,
+    occlusion,
     MaterialCase("Scattering", ScatteringMatter, MaterialInLights),
     MaterialCase("Damping", Damping, DampedMaterial),
     MaterialCase("GradientOpacity", GradientOpacity, MixtureOf),

@@ -43,6 +43,10 @@ struct RegressionCase
   /// 99.9 % of the pixels may be off by this [1/255]. Default: the mapper's error tolerance of 4,
   /// and the rounding of picture and baseline to bytes.
   double allowed999 = 5.0;
+
+  /// A part of the warning by which the mapper may refuse to draw the scene with shaders. A picture
+  /// that is refused must differ from the baseline. Empty: the mapper draws it.
+  std::string refusal = {};
 };
 
 /// All pictures, by sections of Documentation/FeatureTable.md.

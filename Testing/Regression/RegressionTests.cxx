@@ -1,6 +1,7 @@
 // Draws a scene and compares it with its baseline, as the regression tests of VTK's modules do:
 // RegressionTests NAME -D DATA -T TEMP -V BASELINE. README.md describes all uses.
 
+#include "Readers/VtkMessages.h"
 #include "Regression/PictureJudgement.h"
 #include "Regression/RegressionCase.h"
 #include "Regression/VtkDifferences.h"
@@ -8,6 +9,8 @@
 #include "Scene/ImageFiles.h"
 #include "Scene/Scene.h"
 
+#include <vtkAbstractVolumeMapper.h>
+#include <vtkCallbackCommand.h>
 #include <vtkPNGReader.h>
 #include <vtkRegressionTestImage.h>
 #include <vtkRendererCollection.h>
@@ -91,7 +94,7 @@ void UseShaders(const RegressionScene& scene)
   }
 }
 
-vtkSmartPointer<vtkImageData> PictureOf(const RegressionScene& scene, DrawnBy mapper)
+void Use(DrawnBy mapper, const RegressionScene& scene)
 {
   if (mapper == DrawnBy::Vtk)
   {
@@ -101,6 +104,10 @@ vtkSmartPointer<vtkImageData> PictureOf(const RegressionScene& scene, DrawnBy ma
   {
     UseShaders(scene);
   }
+}
+
+vtkSmartPointer<vtkImageData> PictureOf(const RegressionScene& scene)
+{
   vtkRendererCollection* const renderers = scene.Window()->GetRenderers();
   renderers->InitTraversal();
   while (vtkRenderer* const renderer = renderers->GetNextItem())
@@ -146,16 +153,48 @@ bool PassesVtk(vtkTesting* testing, vtkImageData* picture, double threshold)
   return testing->RegressionTest(source, threshold) == vtkTesting::PASSED;
 }
 
+// Prints the warnings of a mapper, and finds the one that refuses the scene.
+bool Refuse(const std::vector<std::string>& warnings, const std::string& refusal)
+{
+  bool isRefused = false;
+  for (const std::string& warning : warnings)
+  {
+    std::cerr << warning << '\n';
+    isRefused = isRefused || warning.find(refusal) != std::string::npos;
+  }
+  return isRefused;
+}
+
+// A mapper that refuses a scene which it draws as it should be would mislead its user.
+int JudgeRefused(const std::string& name, const std::string& faults)
+{
+  std::cerr << name << ": "
+            << (faults.empty() ? "The picture that the mapper refuses is right." : faults) << '\n';
+  return faults.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
 int Judge(const RegressionCase& regression, vtkTesting* testing)
 {
   const DrawnBy mapper =
     MapperNamed(std::unique_ptr<char[]>(testing->GetArgument("--mapper")).get());
-  const auto picture = PictureOf(regression.make(), mapper);
+  varimarch::VtkMessages messages;
+  const RegressionScene scene = regression.make();
+  Use(mapper, scene);
+  if (mapper == DrawnBy::Shaders && !regression.refusal.empty())
+  {
+    scene.volumes.front()->volume->GetMapper()->AddObserver(
+      vtkCommand::WarningEvent, messages.Listener());
+  }
+  const auto picture = PictureOf(scene);
   const auto baseline = ImageFrom(testing->GetValidImageFileName());
   const bool isVtk = mapper == DrawnBy::Vtk;
   const std::string faults = isVtk
     ? FaultsOfVtk(testing->GetDataRoot(), regression.name, DifferenceOfBytes(picture, baseline))
     : FaultsOf(picture, baseline, regression.allowed999);
+  if (Refuse(messages.Warnings(), regression.refusal))
+  {
+    return JudgeRefused(regression.name, faults);
+  }
   // No difference is small enough if our measure found a fault, so that all pictures are printed.
   constexpr double none = -1.0;
   const bool passesVtk =
@@ -193,7 +232,9 @@ int WriteVtkDifferences(const std::string& folder)
   for (const RegressionCase& regression : AllRegressionCases())
   {
     std::cout << regression.name << std::endl;
-    const auto picture = PictureOf(regression.make(), DrawnBy::Vtk);
+    const RegressionScene scene = regression.make();
+    Use(DrawnBy::Vtk, scene);
+    const auto picture = PictureOf(scene);
     const auto baseline = ImageFrom(folder + "/Baseline/" + regression.name + ".png");
     differences.push_back({ regression.name, DifferenceOfBytes(picture, baseline) });
   }
