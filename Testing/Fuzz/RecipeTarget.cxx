@@ -138,7 +138,7 @@ void RequireCompiled(const std::vector<ShaderFile>& files, const std::string& st
   {
     return;
   }
-  const ShaderValidation validation = Validate(files, stage);
+  const ShaderValidation validation = Validate({ files, stage });
   Require(validation.passed, "a shader does not compile: " + validation.messages);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -27,6 +28,35 @@ std::string TextOf(const std::string& path)
   return text.str();
 }
 
+// Tests run concurrently in separate processes, so each needs its own files.
+std::string ScratchName()
+{
+  return std::string(SCRATCH_FOLDER) + "/recipe-" + std::to_string(getpid());
+}
+
+ShaderValidation Run(const std::string& command)
+{
+  FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+  std::string messages;
+  std::array<char, 256> line;
+  while (std::fgets(line.data(), int(line.size()), pipe))
+  {
+    messages += line.data();
+  }
+  const int status = pclose(pipe);
+  return { WIFEXITED(status) && WEXITSTATUS(status) == 0, messages };
+}
+
+std::string PathsOf(const std::vector<ShaderFile>& files)
+{
+  std::string text;
+  for (const ShaderFile& file : files)
+  {
+    text += file.path + " ";
+  }
+  return text;
+}
+
 }
 
 std::vector<ShaderFile> LoadParts(const std::vector<std::string>& paths)
@@ -39,23 +69,40 @@ std::vector<ShaderFile> LoadParts(const std::vector<std::string>& paths)
   return WithIncludes(files, TextOf);
 }
 
-ShaderValidation Validate(const std::vector<ShaderFile>& files, const std::string& stage)
+ShaderValidation Validate(const StagedShader& shader)
 {
-  // Tests run concurrently in separate processes, so each needs its own file.
-  const std::string path =
-    std::string(SCRATCH_FOLDER) + "/recipe-" + std::to_string(getpid()) + "." + stage;
-  std::ofstream(path) << AssembleShader(files);
-  const std::string command = std::string(GLSLANG_VALIDATOR) + " '" + path + "' 2>&1";
-  FILE* const pipe = popen(command.c_str(), "r");
-  std::string messages;
-  std::array<char, 256> line;
-  while (std::fgets(line.data(), int(line.size()), pipe))
+  const std::string path = ScratchName() + "." + shader.stage;
+  std::ofstream(path) << AssembleShader(shader.files);
+  const ShaderValidation validation = Run(std::string(GLSLANG_VALIDATOR) + " '" + path + "'");
+  std::filesystem::remove(path);
+  return { validation.passed, TraceShaderErrors(validation.messages, shader.files) };
+}
+
+std::vector<std::string> FaultsOf(const std::vector<StagedShader>& shaders)
+{
+  const std::string folder = ScratchName();
+  std::filesystem::create_directories(folder);
+  for (std::size_t i = 0; i < shaders.size(); ++i)
   {
-    messages += line.data();
+    std::ofstream(folder + "/" + std::to_string(i) + "." + shaders[i].stage)
+      << AssembleShader(shaders[i].files);
   }
-  const int status = pclose(pipe);
-  std::remove(path.c_str());
-  return { WIFEXITED(status) && WEXITSTATUS(status) == 0, TraceShaderErrors(messages, files) };
+  const ShaderValidation all = Run("cd '" + folder + "' && " + GLSLANG_VALIDATOR + " *");
+  std::filesystem::remove_all(folder);
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < shaders.size() && !all.passed; ++i)
+  {
+    const ShaderValidation one = Validate(shaders[i]);
+    if (!one.passed)
+    {
+      faults.push_back(PathsOf(shaders[i].files) + "\n" + one.messages);
+    }
+  }
+  if (!all.passed && faults.empty())
+  {
+    faults.push_back(all.messages);
+  }
+  return faults;
 }
 
 }

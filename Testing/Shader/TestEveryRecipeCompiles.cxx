@@ -29,12 +29,12 @@ std::string Describe(const std::vector<std::string>& parts)
 
 TEST(Shaders, EveryRecipeCompiles)
 {
+  std::vector<StagedShader> shaders;
   for (const RenderSettings& settings : EveryRecipe())
   {
-    const std::vector<std::string> parts = FragmentShaderParts(settings);
-    const ShaderValidation validation = Validate(LoadParts(parts), "frag");
-    EXPECT_TRUE(validation.passed) << Describe(parts) << "\n" << validation.messages;
+    shaders.push_back({ LoadParts(FragmentShaderParts(settings)), "frag" });
   }
+  EXPECT_EQ(FaultsOf(shaders), std::vector<std::string>());
 }
 
 // The limit of llvmpipe.
@@ -42,17 +42,15 @@ constexpr int MostFlatComponents = 124;
 
 TEST(Shaders, EveryRecipeCompilesWithFlatParameters)
 {
+  std::vector<StagedShader> shaders;
   for (const RenderSettings& settings : EveryRecipe())
   {
-    const std::vector<std::string> parts = FragmentShaderParts(settings);
-    std::vector<ShaderFile> vertex = LoadParts(VertexShaderParts());
-    std::vector<ShaderFile> fragment = LoadParts(parts);
-    HandParametersOn(vertex, fragment, MostFlatComponents);
-    const ShaderValidation ofVertex = Validate(vertex, "vert");
-    const ShaderValidation ofFragment = Validate(fragment, "frag");
-    EXPECT_TRUE(ofVertex.passed) << Describe(parts) << "\n" << ofVertex.messages;
-    EXPECT_TRUE(ofFragment.passed) << Describe(parts) << "\n" << ofFragment.messages;
+    StagedShader vertex{ LoadParts(VertexShaderParts()), "vert" };
+    StagedShader fragment{ LoadParts(FragmentShaderParts(settings)), "frag" };
+    HandParametersOn(vertex.files, fragment.files, MostFlatComponents);
+    shaders.insert(shaders.end(), { vertex, fragment });
   }
+  EXPECT_EQ(FaultsOf(shaders), std::vector<std::string>());
 }
 
 TEST(Shaders, IncludeOnlyFormulasThatTheyUse)
@@ -99,19 +97,19 @@ TEST(Shaders, PlainCompositesHaveFourFormulas)
 
 TEST(Shaders, TheVertexShaderCompiles)
 {
-  const ShaderValidation validation = Validate(LoadParts(VertexShaderParts()), "vert");
+  const ShaderValidation validation = Validate({ LoadParts(VertexShaderParts()), "vert" });
   EXPECT_TRUE(validation.passed) << validation.messages;
 }
 
 TEST(Shaders, AnErrorIsTracedToItsFileAndLine)
 {
-  std::vector<ShaderFile> files = LoadParts(FragmentShaderParts(EveryRecipe().front()));
-  const auto file = std::find_if(files.begin(), files.end(),
+  const StagedShader right{ LoadParts(FragmentShaderParts(EveryRecipe().front())), "frag" };
+  StagedShader wrong = right;
+  const auto file = std::find_if(wrong.files.begin(), wrong.files.end(),
     [](const ShaderFile& one) { return one.path == "Depth/None.glsl"; });
-  ASSERT_NE(file, files.end());
+  ASSERT_NE(file, wrong.files.end());
   file->text = "\nfloat DepthLimit(Ray ray) { return missing; }\n";
-  const ShaderValidation validation = Validate(files, "frag");
-  EXPECT_FALSE(validation.passed);
-  EXPECT_NE(validation.messages.find("Depth/None.glsl:2"), std::string::npos)
-    << validation.messages;
+  const std::vector<std::string> faults = FaultsOf({ right, wrong, right });
+  ASSERT_EQ(faults.size(), 1);
+  EXPECT_NE(faults.front().find("Depth/None.glsl:2"), std::string::npos) << faults.front();
 }
