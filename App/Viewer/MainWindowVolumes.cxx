@@ -60,11 +60,16 @@ std::optional<Placement> PlacementFound(const std::shared_ptr<const Study>& firs
   }
 }
 
+bool HasPlaceForVolume(const Scene& scene)
+{
+  return scene.overlays.size() + 1 < MostVolumes;
+}
+
 }
 
 void MainWindow::ChooseFurtherScan()
 {
-  if (!this->model.CurrentStudy() || this->model.CurrentScene().overlays.size() + 1 >= MostVolumes)
+  if (!this->model.CurrentStudy() || !HasPlaceForVolume(this->model.CurrentScene()))
   {
     return;
   }
@@ -94,6 +99,14 @@ void MainWindow::AddScan(const QString& path)
 
 void MainWindow::ShowAdded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
 {
+  // While it was read, others may have been added, or brought back by redo.
+  if (!HasPlaceForVolume(this->model.CurrentScene()))
+  {
+    this->ShowFailure(
+      tr("At most %1 scans are drawn at once: remove one of them, and add the scan again")
+        .arg(MostVolumes));
+    return;
+  }
   const OverlaidVolume overlay = OverlayOf(source, study->volume, study->statistics);
   const CommonSpace space = SpaceOf(this->model.CurrentStudy()->volume, study->volume);
   LogEvent("scan added", { { "count", double(this->model.CurrentScene().overlays.size() + 2) } });

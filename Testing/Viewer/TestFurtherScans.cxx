@@ -84,6 +84,23 @@ TEST_F(FurtherScans, AreDrawnOverTheFirstWithAWarningOfTheirSpace)
   EXPECT_LT(this->RedPixels() + 100, hot);
 }
 
+// A scan that is being read when another takes the last place.
+TEST_F(FurtherScans, BeyondTheMostAreRefusedInASentence)
+{
+  this->OpenTorso();
+  const QString pet = this->WritePet();
+  for (std::size_t count = 1; count < MostVolumes; ++count)
+  {
+    this->window.AddScan(pet);
+    ASSERT_TRUE(this->AwaitOverlays(count));
+  }
+  QSignalSpy failed(&this->window, &MainWindow::OpeningFailed);
+  this->window.AddScan(pet);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, MostMilliseconds));
+  EXPECT_TRUE(failed.first().first().toString().contains("At most 4 scans"));
+  EXPECT_EQ(this->Model()->CurrentScene().overlays.size(), MostVolumes - 1);
+}
+
 TEST_F(FurtherScans, HaveASuggestedLookOfTheirOwn)
 {
   this->OpenTorso();

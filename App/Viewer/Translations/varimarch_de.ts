@@ -2480,6 +2480,10 @@ Masken nicht unterstützt</translation>
         <translation>Wo liegt die Aufnahme, die über die gezeigte gezeichnet werden soll?</translation>
     </message>
     <message>
+        <source>At most %1 scans are drawn at once: remove one of them, and add the scan again</source>
+        <translation>Höchstens %1 Aufnahmen werden zugleich gezeichnet: Entfernen Sie eine davon, und fügen Sie die Aufnahme erneut hinzu</translation>
+    </message>
+    <message>
         <source>In a file…</source>
         <translation>In einer Datei…</translation>
     </message>

@@ -2480,6 +2480,10 @@ no admite máscaras</translation>
         <translation>¿Dónde está el estudio que se dibujará sobre el mostrado?</translation>
     </message>
     <message>
+        <source>At most %1 scans are drawn at once: remove one of them, and add the scan again</source>
+        <translation>Se dibujan como máximo %1 estudios a la vez: quite uno de ellos y añada el estudio de nuevo</translation>
+    </message>
+    <message>
         <source>In a file…</source>
         <translation>En un archivo…</translation>
     </message>
