@@ -14,6 +14,9 @@
 #include <QMenuBar>
 #include <QTextBrowser>
 
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
 using namespace varimarch;
 
 TEST_F(Window, OffersScansAndSamplesWhileItIsEmpty)
@@ -73,6 +76,19 @@ TEST_F(Window, ArrangesFourViewsAlike)
   this->window.findChild<QAction*>("volumeLarge")->trigger();
   QTest::qWait(50);
   EXPECT_GT(this->View()->width(), 1.5 * this->window.findChild<SliceView*>()->width());
+}
+
+// Beside wide panels a view may have no width, in which no camera shows all.
+TEST_F(Window, ShowsAllInAViewThatHadNoWidth)
+{
+  this->OpenTorso();
+  vtkCamera* const camera = this->View()->Pipeline()->Renderer()->GetActiveCamera();
+  const double distance = camera->GetDistance();
+  const QRect place = this->View()->geometry();
+  this->View()->setGeometry(0, 0, 0, place.height());
+  EXPECT_LT(camera->GetDistance(), 2.0 * distance);
+  this->View()->setGeometry(place);
+  EXPECT_EQ(camera->GetDistance(), distance);
 }
 
 TEST_F(Window, FindsACommandByItsWords)

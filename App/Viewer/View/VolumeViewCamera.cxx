@@ -98,7 +98,7 @@ Camera VolumeView::CurrentCamera() const
 
 double VolumeView::Aspect() const
 {
-  return this->height() > 0 ? double(this->width()) / this->height() : 1.0;
+  return this->size().isEmpty() ? 1.0 : double(this->width()) / this->height();
 }
 
 }
