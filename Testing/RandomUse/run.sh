@@ -29,4 +29,4 @@ succeeds build/fuzz/bin/TestRandomUse || fail "The mapper failed; its messages a
 step "$1 random actions in the window"
 QT_QPA_PLATFORM=xcb succeeds xvfb-run --auto-servernum \
   --server-args "-screen 0 1280x800x24 -noreset" build/fuzz/bin/ViewerWindowTests \
-  --gtest_filter=Window.SurvivesRandomActions || fail "The viewer failed; its messages are above."
+  --gtest_filter=RandomUse.SurvivesRandomActions || fail "The viewer failed; its messages are above."
