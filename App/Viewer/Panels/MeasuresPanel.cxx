@@ -177,7 +177,8 @@ void MeasuresPanel::Save()
 {
   const LoadedVolume& volume = this->model->CurrentStudy()->volume;
   QStringList filters = { tr("Table (*.csv)") };
-  if (!volume.frameOfReference.empty())
+  const bool isDicom = !volume.frameOfReference.empty(); // only DICOM has frames of reference
+  if (isDicom)
   {
     filters.append(tr("DICOM structured report (*.dcm)"));
   }
@@ -189,7 +190,7 @@ void MeasuresPanel::Save()
   try
   {
     const WaitCursor waiting;
-    if (path.endsWith(".dcm", Qt::CaseInsensitive))
+    if (isDicom && path.endsWith(".dcm", Qt::CaseInsensitive))
     {
       this->WriteReport(path.toStdString());
     }
@@ -205,7 +206,7 @@ void MeasuresPanel::Save()
   }
 }
 
-// Only DICOM has frames of reference, so the scan is a series of files.
+// A scan with a frame of reference is a series of files.
 void MeasuresPanel::WriteReport(const std::string& path) const
 {
   const Scene& scene = this->model->CurrentScene();
