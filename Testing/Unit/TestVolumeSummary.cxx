@@ -234,7 +234,7 @@ TEST(VolumeSummary, TellsWhichBoxesAreZero)
     const glm::ivec3 voxel = place();
     std::vector<std::int16_t> voxels(std::size_t(size.x * size.y * size.z));
     voxels[std::size_t((voxel.z * size.y + voxel.y) * size.x + voxel.x)] = trial % 2 == 0 ? 1 : -1;
-    const MemorySource<std::int16_t> source(VoxelType::Int16, std::move(voxels));
+    const MemorySource<std::int16_t> source(VoxelType::Int16, std::move(voxels), SliceDimensions);
     const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
     const glm::ivec3 one = place();
     const glm::ivec3 other = place();
