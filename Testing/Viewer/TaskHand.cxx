@@ -1,18 +1,27 @@
 #include "TaskHand.h"
 
+#include "Viewer/MainWindow.h"
+#include "Viewer/Panels/PresetGallery.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/VolumeView.h"
+
 #include <QApplication>
 #include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTabBar>
 #include <QTest>
 
+#include <vtkVariationFieldVolumeMapper.h>
+
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace
 {
@@ -39,6 +48,31 @@ void Await(const std::function<bool()>& isDone, const char* what)
   if (!QTest::qWaitFor(isDone, MostMilliseconds))
   {
     throw std::runtime_error(what);
+  }
+}
+
+void AwaitPictures(varimarch::MainWindow& window)
+{
+  QTest::qWait(500); // until the last change is drawn
+  auto* const mapper =
+    vtkVariationFieldVolumeMapper::SafeDownCast(window.CentralView()->Ours()->Pipeline()->Mapper());
+  Await([&] { return mapper->GetAccumulatedPictures() > 0; }, "the volume is not drawn");
+  const auto* const presets =
+    window.findChild<varimarch::PresetGallery*>()->findChild<QListWidget*>();
+  const auto keys = [presets]
+  {
+    QList<qint64> found;
+    for (int row = 0; row < presets->count(); ++row)
+    {
+      found.append(presets->item(row)->icon().cacheKey());
+    }
+    return found;
+  };
+  constexpr int MostMilliseconds = 3000; // between two pictures
+  for (QList<qint64> before; presets->isVisible() && before != keys();)
+  {
+    before = keys();
+    std::ignore = QTest::qWaitFor([&] { return before != keys(); }, MostMilliseconds);
   }
 }
 

@@ -12,6 +12,11 @@
 #include <functional>
 #include <vector>
 
+namespace varimarch
+{
+class MainWindow;
+}
+
 /// A user's hand that counts what it does. The seconds are those of the keystroke-level model
 /// (S. Card, T. Moran, A. Newell, Communications of the ACM 23, 1980, 396-410): 1.35 s to decide,
 /// 1.1 s to point, 0.1 s to press or to release, 0.28 s for a key.
@@ -66,5 +71,8 @@ QStringList MissingRows(const QString& path, const std::vector<Effort>& efforts)
 
 /// Waits until something is done. @throws std::runtime_error with the given words if it is not
 void Await(const std::function<bool()>& isDone, const char* what);
+
+/// Waits for a whole picture of the volume, and for those of the presets, which come one by one.
+void AwaitPictures(varimarch::MainWindow& window);
 
 #endif

@@ -1,8 +1,9 @@
 // Does the tasks of Documentation/TenTasks.md in the real window, and counts the clicks.
 //
 // Usage: ViewerTasks FOLDER [--language CODE] [--theme light|dark|contrast] [--head FILE]
-//   [--table TenTasks.md], on a display that the window fills. Writes a picture of the window after
-// each task into the folder. With a table, fails if its rows have other numbers.
+//   [--task NAME] [--table TenTasks.md]
+// on a display that the window fills. Writes a picture of the window after each task into the
+// folder. With a table, fails if its rows have other numbers.
 
 #include "FakeWebArchive.h"
 #include "LeaksOfOthers.h"
@@ -18,7 +19,6 @@
 #include "Viewer/Panels/PresetGallery.h"
 #include "Viewer/Theme.h"
 #include "Viewer/View/ComparisonView.h"
-#include "Viewer/View/PictureExport.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/VolumeView.h"
 
@@ -40,12 +40,10 @@
 #include <QToolBar>
 #include <QVTKOpenGLNativeWidget.h>
 
-#include <vtkVariationFieldVolumeMapper.h>
-
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>
-#include <tuple>
+#include <utility>
 
 using namespace varimarch;
 
@@ -313,36 +311,11 @@ private:
     }
   }
 
-  // Waits for a whole picture of the volume, and for those of the presets, which come one by one.
-  void AwaitPictures()
-  {
-    auto* const mapper =
-      vtkVariationFieldVolumeMapper::SafeDownCast(this->View()->Pipeline()->Mapper());
-    Await([&] { return mapper->GetAccumulatedPictures() > 0; }, "the volume is not drawn");
-    const auto* const presets =
-      this->window->findChild<PresetGallery*>()->findChild<QListWidget*>();
-    const auto keys = [presets]
-    {
-      QList<qint64> found;
-      for (int row = 0; row < presets->count(); ++row)
-      {
-        found.append(presets->item(row)->icon().cacheKey());
-      }
-      return found;
-    };
-    constexpr int MostMilliseconds = 3000; // between two pictures
-    for (QList<qint64> before; presets->isVisible() && before != keys();)
-    {
-      before = keys();
-      std::ignore = QTest::qWaitFor([&] { return before != keys(); }, MostMilliseconds);
-    }
-  }
-
   // Takes a picture of the window, and closes it.
   void Finish(const QString& name, const QString& task)
   {
     this->efforts.push_back({ task, this->hand.Clicks(), this->hand.Seconds() });
-    this->AwaitPictures();
+    AwaitPictures(*this->window);
     this->Take(name, this->window.get());
     this->hand.Expect(
       [](QWidget* dialog)
@@ -370,16 +343,19 @@ private:
 int Run(const QCommandLineParser& options)
 {
   Tasks tasks(options.positionalArguments().value(0), options.value("head"));
-  tasks.OpenCd();
-  tasks.FindAneurysm();
-  tasks.MeasureUptake();
-  tasks.MeasureNodule();
-  tasks.ShowBoneWithoutTable();
-  tasks.StraightenVessel();
-  tasks.CompareTimes();
-  tasks.SendToPacs();
-  tasks.ExportWithoutFace();
-  tasks.WriteReport();
+  const std::pair<const char*, void (Tasks::*)()> all[] = { { "open-cd", &Tasks::OpenCd },
+    { "aneurysm", &Tasks::FindAneurysm }, { "pet", &Tasks::MeasureUptake },
+    { "nodule", &Tasks::MeasureNodule }, { "bone", &Tasks::ShowBoneWithoutTable },
+    { "curved", &Tasks::StraightenVessel }, { "two-times", &Tasks::CompareTimes },
+    { "send", &Tasks::SendToPacs }, { "face", &Tasks::ExportWithoutFace },
+    { "report", &Tasks::WriteReport } };
+  for (const auto& [name, task] : all)
+  {
+    if (!options.isSet("task") || options.value("task") == name)
+    {
+      (tasks.*task)();
+    }
+  }
   for (const Effort& effort : tasks.Efforts())
   {
     std::cout << effort.task.toStdString() << ": clicks " << effort.clicks << ", seconds "
@@ -406,6 +382,7 @@ int main(int argumentCount, char** arguments)
   options.addOption({ "language", "of the window", "code", "en" });
   options.addOption({ "theme", "of the window", "name", "light" });
   options.addOption({ "head", "CT of a head", "file" });
+  options.addOption({ "task", "to do alone, named as its picture", "name" });
   options.addOption({ "table", "with the clicks of each task", "file" });
   options.process(application);
   try

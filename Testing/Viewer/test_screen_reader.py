@@ -37,7 +37,9 @@ def missing_package():
 
 
 def children(accessible):
-    return [child for child in (accessible.getChildAtIndex(i) for i in range(len(accessible))) if child]
+    """The parts of an accessible: none if it has gone meanwhile."""
+    count = max(accessible.get_child_count(), 0)
+    return [child for child in (accessible.getChildAtIndex(i) for i in range(count)) if child]
 
 
 def descendants(accessible):
@@ -85,7 +87,7 @@ class Viewer:
         import pyatspi
 
         for application in children(pyatspi.Registry.getDesktop(0)):
-            if application.name == "varimarch-viewer" and len(application):
+            if application.name == "varimarch-viewer" and children(application):
                 return application
         return None
 

@@ -2,7 +2,8 @@
 # Does the tasks of Documentation/TenTasks.md on three screens, in three languages and both themes.
 #
 # Usage: walk.sh VIEWER_TASKS FOLDER [HEAD_CT] [WALK...]; a WALK is SCREEN-LANGUAGE-THEME, such as
-# 1280x720-en-light; without one, all are walked. Writes pictures into FOLDER/WALK.
+# 1280x720-en-light; without one, all are walked. Writes pictures into FOLDER/WALK. TASK=NAME in the
+# environment does one task alone.
 set -euo pipefail
 program=$(realpath "$1")
 folder=$2
@@ -21,5 +22,5 @@ do
   mkdir -p "$folder/$walk"
   QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=$scale xvfb-run --auto-servernum \
     --server-args "-screen 0 ${screen}x24 -noreset" "$program" "$folder/$walk" \
-    --language "$language" --theme "$theme" ${head:+--head "$head"} > "$folder/$walk/clicks.txt"
+    --language "$language" --theme "$theme" ${head:+--head "$head"} ${TASK:+--task "$TASK"} > "$folder/$walk/clicks.txt"
 done

@@ -26,7 +26,7 @@ private:
   int DivisorFor(const QSize& wanted) const;
 
   int divisor = 1;
-  double otherSeconds = 0.0; ///< of the last image
+  double otherSeconds = 0.0; ///< the time of the last image for everything but its rays
 };
 
 }
