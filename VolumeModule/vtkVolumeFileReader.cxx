@@ -50,6 +50,7 @@ struct vtkVolumeFileReader::Contents
   int Time = 0;
   vtkNew<vtkStringArray> Warnings;
   bool AreOnDisk = false; ///< true if the image's voxels are those of the file
+  bool IsPreview = false;
   /// Copies of the files of a packed DICOM series, which a caller may read after they were listed.
   std::unique_ptr<varimarch::Unpacked> Copies;
 };
@@ -137,7 +138,10 @@ void vtkVolumeFileReader::ReadFileOrThrow(int time, varimarch::ReadProgress& pro
   options.time = time;
   options.filesAreTimes = this->FilesAreTimes;
   options.kept = this->Kept.get();
+  varimarch::PreviewWish preview;
+  options.preview = this->PreviewAllowed ? &preview : nullptr;
   this->Read->Volume = varimarch::ReadVolume(this->FileName, options, progress);
+  this->Read->IsPreview = !preview.sentence.empty();
   vtkImageData* const image = this->Read->Volume.image;
   this->Read->AreOnDisk = varimarch::PagedVoxelsAt(image->GetScalarPointer()) != nullptr;
   for (const std::string& warning : this->Read->Volume.warnings)
@@ -265,6 +269,11 @@ int vtkVolumeFileReader::RequestData(
   return 1;
 }
 
+bool vtkVolumeFileReader::IsPreview()
+{
+  return this->Read->IsPreview;
+}
+
 bool vtkVolumeFileReader::HasVoxelsOnDisk()
 {
   return this->Read->AreOnDisk;
@@ -372,28 +381,4 @@ vtkStringArray* vtkVolumeFileReader::GetWarnings()
 const char* vtkVolumeFileReader::GetErrorMessage()
 {
   return this->ErrorMessage.c_str();
-}
-
-void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
-  os << indent << "RawDimensions: " << this->RawDimensions[0] << ' ' << this->RawDimensions[1]
-     << ' ' << this->RawDimensions[2] << '\n';
-  os << indent << "RawScalarType: " << vtkImageScalarTypeNameMacro(this->RawScalarType) << '\n';
-  os << indent << "RawNumberOfComponents: " << this->RawNumberOfComponents << '\n';
-  os << indent << "RawSpacing: " << this->RawSpacing[0] << ' ' << this->RawSpacing[1] << ' '
-     << this->RawSpacing[2] << '\n';
-  os << indent << "RawHeaderBytes: " << this->RawHeaderBytes << '\n';
-  os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
-  os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
-  os << indent << "RectifySlices: " << this->RectifySlices << '\n';
-  os << indent << "RectifyMisplacedSlices: " << this->RectifyMisplacedSlices << '\n';
-  os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << '\n';
-  os << indent << "ResolutionLevel: " << this->ResolutionLevel << '\n';
-  os << indent << "Channel: " << this->Channel << '\n';
-  os << indent << "TimeIndex: " << this->TimeIndex << '\n';
-  os << indent << "FilesAreTimes: " << this->FilesAreTimes << '\n';
-  os << indent << "LongestSilence: " << this->LongestSilence << '\n';
-  os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

@@ -113,6 +113,20 @@ public:
 
   ///@{
   /**
+   * Allow a preview: voxels that stay in their file are read once from end to end when it is first
+   * opened, which takes minutes for large files. A coarse copy is read instead, of some of the
+   * voxels or of a coarse level of the file, if there is one, and a warning says so. Nothing is
+   * promised about the error of its images. IsPreview() is true after Update() if the output is
+   * such a copy. Default: false.
+   */
+  vtkSetMacro(PreviewAllowed, bool);
+  vtkGetMacro(PreviewAllowed, bool);
+  vtkBooleanMacro(PreviewAllowed, bool);
+  bool IsPreview();
+  ///@}
+
+  ///@{
+  /**
    * The DICOM series to read if there are several: its SeriesInstanceUID, an unambiguous prefix of
    * that, or its number in ListDICOMSeries(), counted from 1. Default: empty, the first series; the
    * warnings then list all.
@@ -344,6 +358,7 @@ private:
   bool FilesAreTimes = false;
   double LongestSilence = 60.0;
   vtkIdType MaximumHostMemory = 0;
+  bool PreviewAllowed = false;
 
   std::unique_ptr<Contents> Read;
   std::unique_ptr<varimarch::KeptInput> Kept; ///< memory from one time to the next

@@ -101,13 +101,14 @@ vtkVariationFieldVolumeMapper* LimitedMapper(OffscreenView& view, double graphic
   return ours;
 }
 
-// Adds what only our mapper knows.
-void AddDrawing(vtkVariationFieldVolumeMapper* ours, nlohmann::ordered_json& results)
+// Adds what only our mapper knows. It does not know that its volume is a preview.
+void AddDrawing(
+  vtkVariationFieldVolumeMapper* ours, bool isPreview, nlohmann::ordered_json& results)
 {
   if (ours)
   {
     results["graphicsMemoryBytes"] = ours->GetGraphicsMemoryBytes();
-    results["levelErrorBound"] = ours->GetLevelErrorBound();
+    results["levelErrorBound"] = isPreview ? 1.0 : ours->GetLevelErrorBound();
     if (ours->GetVisibleBlocks() > 0)
     {
       results["visibleBlocks"] = ours->GetVisibleBlocks();
@@ -164,7 +165,7 @@ void RunRender(const RenderArguments& arguments)
   {
     results["repeatSeconds"] = Median(repeatSeconds);
   }
-  AddDrawing(ours, results);
+  AddDrawing(ours, volume.isPreview, results);
   results["openglRenderer"] = view.DeviceName();
   results["picture"] = arguments.outputPath;
   AddSegments(labels, results);

@@ -149,7 +149,8 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   Scene scene = isScene ? ReadScene(input) : Scene();
   scene.volume =
     isScene ? Override(arguments.volume, scene.volume) : SourceOf(arguments.volume, input);
-  LoadedVolume loaded = LoadVolumeReporting(scene.volume);
+  const bool isCoarse = arguments.level.value_or(scene.render.level) == VolumeLevel::Coarse;
+  LoadedVolume loaded = LoadVolumeReporting(scene.volume, isCoarse);
   OverridePreset(arguments, ChosenPreset(arguments, loaded, isScene, scene), scene);
   OverrideLook(arguments, scene.look);
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;

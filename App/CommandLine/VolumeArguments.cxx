@@ -221,11 +221,11 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
   return source;
 }
 
-LoadedVolume LoadVolumeReporting(const VolumeSource& source)
+LoadedVolume LoadVolumeReporting(const VolumeSource& source, bool mayBePreview)
 {
   const auto* file = std::get_if<FileSource>(&source);
   const Progress progress(file ? "Reading " + file->path : "Computing the volume");
-  LoadedVolume volume = LoadVolume(source);
+  LoadedVolume volume = LoadVolume(source, {}, mayBePreview);
   for (const std::string& warning : volume.warnings)
   {
     PrintMessage("warning: " + warning);

@@ -45,8 +45,9 @@ void RejectFileArguments(const VolumeArguments& arguments, const std::string& ki
 VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volumeOfScene);
 
 /// Reads a volume. Prints its warnings and, if it takes long, a progress line on stderr.
+/// @param mayBePreview  see LoadVolume
 /// @throws std::runtime_error when the file cannot be read
-LoadedVolume LoadVolumeReporting(const VolumeSource& source);
+LoadedVolume LoadVolumeReporting(const VolumeSource& source, bool mayBePreview = false);
 
 }
 

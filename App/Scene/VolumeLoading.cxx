@@ -141,6 +141,7 @@ LoadedVolume VolumeOf(QuietReader& reader)
 {
   LoadedVolume volume = { reader->GetOutput(), reader->GetModality(), {} };
   volume.isOnDisk = reader->HasVoxelsOnDisk();
+  volume.isPreview = reader->IsPreview();
   volume.bodyPart = reader->GetBodyPart();
   volume.hasContrastAgent = reader->HasContrastAgent();
   volume.weighting = reader->GetWeighting();
@@ -182,10 +183,12 @@ void ReadNearest(const FileSource& source, QuietReader& reader)
   reader->UpdateTimeStep(*source.timeSeconds);
 }
 
-LoadedVolume ReadFile(const FileSource& source, const LoadObserver& observer)
+LoadedVolume ReadFile(
+  const FileSource& source, const LoadObserver& observer, bool mayBePreview = false)
 {
   QuietReader reader(source.path, observer);
   Apply(source, reader);
+  reader->SetPreviewAllowed(mayBePreview);
   if (source.timeSeconds)
   {
     ReadNearest(source, reader);
@@ -225,14 +228,14 @@ GrayPicture MiddleOfFile(const std::string& path)
 
 }
 
-LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer)
+LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer, bool mayBePreview)
 {
   if (const auto* procedural = std::get_if<ProceduralSource>(&source))
   {
     const bool isCT = procedural->kind == ProceduralKind::Torso;
     return { ProceduralVolume(*procedural), isCT ? "CT" : "", {} };
   }
-  return ReadFile(std::get<FileSource>(source), observer);
+  return ReadFile(std::get<FileSource>(source), observer, mayBePreview);
 }
 
 struct TimeReader::State

@@ -52,7 +52,8 @@ struct LoadedVolume
   std::vector<Segment> segments = {};
   double uptakeValueFactor = 0.0;    ///< for PET: from values to SUV [g/ml]; 0 if unknown
   std::string frameOfReference = {}; ///< UID of DICOM for the space of the image; may be empty
-  bool isOnDisk = false; ///< true if the voxels stayed in their file, because they are so many
+  bool isOnDisk = false;  ///< true if the voxels stayed in their file, because they are so many
+  bool isPreview = false; ///< true for a coarse copy, of which the warnings tell
   LoadedTimes times = {};
 };
 
@@ -60,9 +61,12 @@ struct LoadedVolume
 using LoadObserver = std::function<bool(double)>;
 
 /// Reads or computes the volume of a scene. Procedural volumes report no progress.
+/// @param mayBePreview  true to get a coarse copy of a volume that takes long to be opened for the
+/// first time
 /// @throws std::runtime_error with one sentence that names the file and the fault, or reports that
 ///   the observer cancelled
-LoadedVolume LoadVolume(const VolumeSource& source, const LoadObserver& observer = {});
+LoadedVolume LoadVolume(
+  const VolumeSource& source, const LoadObserver& observer = {}, bool mayBePreview = false);
 
 /// Reads one time after the other of a file with several, and finds and unpacks nothing again. The
 /// file must not change meanwhile. All of it is used in one thread at a time.

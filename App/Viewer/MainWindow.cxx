@@ -112,6 +112,7 @@ void MainWindow::Listen()
     Qt::QueuedConnection);
   connect(this->view->Ours(), &VolumeView::Drawn, this, [this] { this->resetsInARow = 0; });
   connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
+  connect(&this->loader, &VolumeLoader::Previewed, this, &MainWindow::ShowPreview);
   connect(&this->loader, &VolumeLoader::SeriesFound, this, &MainWindow::AskForSeries);
   connect(&this->loader, &VolumeLoader::LabelsLoaded, this, &MainWindow::ShowSegmentation);
   connect(

@@ -186,6 +186,9 @@ private:
   void AskForLayout(const QString& path);
   void AskForSeries(const FileSource& source, const std::vector<SeriesSummary>& series);
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
+  void ShowPreview(const VolumeSource& source, const std::shared_ptr<const Study>& study);
+  bool ShowsPreviewOf(const VolumeSource& source) const;
+  bool TakeLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void KeepInMind(const FileSource& file, const Study& study);
   void ShowSuggestion(const Study& study);
   void ShowWarnings();

@@ -253,6 +253,55 @@ void MainWindow::ExportPicture()
   }
 }
 
+// A coarse copy, until the volume itself has been read, or for good if that is cancelled.
+void MainWindow::ShowPreview(const VolumeSource& source, const std::shared_ptr<const Study>& study)
+{
+  if (this->exchanges || this->addsScan || this->restored)
+  {
+    return;
+  }
+  LogVolume(study->volume);
+  this->model.Open(source, study);
+  this->savedWork = this->CurrentWork();
+  this->statusBar()->showMessage(
+    tr("A coarse copy is shown until the volume has been read for the first time"));
+}
+
+bool MainWindow::ShowsPreviewOf(const VolumeSource& source) const
+{
+  const std::shared_ptr<const Study> shown = this->model.CurrentStudy();
+  const auto* const file = std::get_if<FileSource>(&source);
+  const auto* const shownFile = std::get_if<FileSource>(&this->model.CurrentScene().volume);
+  return shown && shown->volume.isPreview && file && shownFile && file->path == shownFile->path;
+}
+
+// Returns false if the user keeps the scan that is shown.
+bool MainWindow::TakeLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
+{
+  const bool completes = !this->restored && this->ShowsPreviewOf(source);
+  const bool losesLabels = completes && this->model.HasUnsavedLabels();
+  if ((std::exchange(this->isDropped, false) || losesLabels) && !this->MayLeaveScan())
+  {
+    return false;
+  }
+  if (this->restored)
+  {
+    this->restored->volume = source;
+    this->ForgetAutosavedFile(*this->restored);
+    this->model.Restore(*this->restored, study);
+    this->restored.reset();
+  }
+  else if (completes)
+  {
+    this->model.Complete(study);
+  }
+  else
+  {
+    this->model.Open(source, study);
+  }
+  return true;
+}
+
 void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
 {
   LogVolume(study->volume);
@@ -267,20 +316,9 @@ void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<co
     this->ShowAdded(source, study);
     return;
   }
-  if (std::exchange(this->isDropped, false) && !this->MayLeaveScan())
+  if (!this->TakeLoaded(source, study))
   {
     return;
-  }
-  if (this->restored)
-  {
-    this->restored->volume = source;
-    this->ForgetAutosavedFile(*this->restored);
-    this->model.Restore(*this->restored, study);
-    this->restored.reset();
-  }
-  else
-  {
-    this->model.Open(source, study);
   }
   this->savedWork = this->restoresAutosaved ? QString() : this->CurrentWork();
   if (const auto* const file = std::get_if<FileSource>(&source))

@@ -244,6 +244,27 @@ def on_disk(folder):
     assert "for the bricks of 48 x 40 x 32" in errors, errors
 
 
+def coarse_copy(folder):
+    """Draws a coarse copy of a volume that was not read before, without a promise."""
+    volume = folder / "ramp.raw"
+    volume.write_bytes(bytes(range(256)) * 2 * 512 * 80)
+    options = "--raw-dimensions", "512x512x80", "--memory", "60"
+
+    def draw():
+        _, notes = run("render", volume, *options, "--detail", "coarse", "-o", folder / "a.png",
+                       "--size", "64x64", "--json", folder / "a.json")
+        written = json.loads((folder / "a.json").read_text())
+        return written["volume"]["dimensions"], written["levelErrorBound"], notes
+
+    ranges = folder / "ramp.raw.varimarch-ranges"
+    size, bound, notes = draw()
+    assert size == [256, 256, 40] and bound == 1.0 and not ranges.exists(), (size, bound)
+    assert "warning: A coarse copy" in notes and "no error" in notes, notes
+    run("info", volume, *options)
+    size, bound, notes = draw()
+    assert size == [512, 512, 80] and ranges.exists() and "warning" not in notes, (size, notes)
+
+
 def times(folder):
     """Chooses a time by its number or by its seconds, of one file or of several."""
     nifti_of_times(folder / "t.nii", range(10, 14), 1.5)

@@ -280,6 +280,37 @@ TEST_F(VoxelsInChunks, HaveRangesForEachTime)
     this->folder.Bytes("t.zarr.0.0.1.varimarch-ranges"));
 }
 
+TEST_F(VoxelsInChunks, HaveACoarserLevelAsPreviewUntilTheirRangesAreMade)
+{
+  namespace fs = std::filesystem;
+  constexpr Shape half = { { 128, 32, 36 }, { 64, 16, 8 } };
+  for (const Shape& shape : { even, half })
+  {
+    this->WriteZarr(Torso(shape), shape);
+    fs::create_directories(this->folder.Path("p.zarr"));
+    fs::rename(this->folder.Path("a.zarr"),
+      this->folder.Path(shape.size == half.size ? "p.zarr/1" : "p.zarr/0"));
+  }
+  this->folder.Write("p.zarr/.zattrs",
+    R"({"multiscales": [{"version": "0.4", "axes": [{"name": "z", "type": "space"},
+    {"name": "y", "type": "space"}, {"name": "x", "type": "space"}], "datasets": [
+    {"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [1, 1, 1]}]},
+    {"path": "1", "coordinateTransformations": [{"type": "scale", "scale": [2, 2, 2]}]}]}]})");
+  this->reader->PreviewAllowedOn();
+  vtkImageData* const copy = this->Read(this->folder.Path("p.zarr"));
+  ASSERT_STREQ(this->reader->GetErrorMessage(), "");
+  EXPECT_TRUE(this->reader->IsPreview());
+  EXPECT_TRUE(std::equal(half.size.begin(), half.size.end(), copy->GetDimensions()));
+  const double spacingOfCopy = copy->GetSpacing()[0];
+  this->reader->PreviewAllowedOff();
+  EXPECT_EQ(2.0 * this->Read(this->folder.Path("p.zarr"))->GetSpacing()[0], spacingOfCopy);
+  EXPECT_FALSE(this->reader->IsPreview());
+  EXPECT_TRUE(this->reader->HasVoxelsOnDisk());
+  this->reader->PreviewAllowedOn();
+  this->Read(this->folder.Path("p.zarr"));
+  EXPECT_FALSE(this->reader->IsPreview());
+}
+
 TEST_F(VoxelsInChunks, AreRefusedIfAnImageCannotNumberThem)
 {
   // Products of these numbers are beyond 2^32 and 2^64.

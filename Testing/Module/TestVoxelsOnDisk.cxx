@@ -6,6 +6,7 @@
 #include "Module/TorsoOnDisk.h"
 #include "Module/VolumeRead.h"
 
+#include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
 #include <vtkXMLWriter.h>
 
@@ -14,6 +15,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -76,6 +78,46 @@ TEST_F(VoxelsOnDisk, AreThoseOfTheFileInEveryFormat)
   const bool isEven = vti.find('_', appended) % 2 == 1; // the first byte is behind the mark
   vti.insert(appended, isEven ? 0 : 1, ' ');
   this->ExpectMapped(this->folder.Write("image.vti", vti));
+}
+
+TEST_F(VoxelsOnDisk, HaveACoarseCopyUntilTheyAreReadForTheFirstTime)
+{
+  constexpr vtkIdType LessThanFourTimesTheVoxels = 60000000;
+  const int size[3] = { 301, 300, 200 }; // more than 2^24
+  const auto valueAt = [](int x, int y, int z) { return std::uint8_t(7 * x + 13 * y + 31 * z); };
+  std::string voxels;
+  for (int i = 0; i < size[0] * size[1] * size[2]; ++i)
+  {
+    voxels += char(valueAt(i % size[0], i / size[0] % size[1], i / (size[0] * size[1])));
+  }
+  const std::string path = this->folder.Write("large.raw", voxels);
+  this->reader->SetRawDimensions(size);
+  this->reader->SetRawSpacing(1.0, 2.0, 3.0);
+  this->reader->PreviewAllowedOn();
+  vtkImageData* const copy = this->Read(path, LessThanFourTimesTheVoxels);
+  ASSERT_STREQ(this->reader->GetErrorMessage(), "");
+  ASSERT_TRUE(this->reader->IsPreview());
+  EXPECT_FALSE(this->reader->HasVoxelsOnDisk());
+  const std::string told = this->reader->GetWarnings()->GetValue(0);
+  EXPECT_EQ(told.find("A coarse copy, 151 x 150 x 100 voxels"), 0u) << told;
+  const std::array<double, 3> spacing = { 2.0, 4.0, 6.0 };
+  EXPECT_TRUE(std::equal(spacing.begin(), spacing.end(), copy->GetSpacing()));
+  for (const std::array<int, 3>& at :
+    { std::array<int, 3>{ 0, 0, 0 }, { 150, 149, 99 }, { 17, 3, 90 } })
+  {
+    EXPECT_EQ(*static_cast<std::uint8_t*>(copy->GetScalarPointer(at[0], at[1], at[2])),
+      valueAt(2 * at[0], 2 * at[1], 2 * at[2]));
+  }
+  const std::string ranges = path + ".varimarch-ranges";
+  EXPECT_FALSE(std::filesystem::exists(ranges));
+  for (const bool isAllowed : { false, true }) // the second time the ranges are there
+  {
+    this->reader->SetPreviewAllowed(isAllowed);
+    this->Read(path, LessThanFourTimesTheVoxels);
+    EXPECT_FALSE(this->reader->IsPreview());
+    EXPECT_TRUE(this->reader->HasVoxelsOnDisk());
+    EXPECT_EQ(this->reader->GetWarnings()->GetNumberOfValues(), 0);
+  }
 }
 
 TEST_F(VoxelsOnDisk, AreReadIfTheyNeedLessThanAQuarterOfTheMemory)

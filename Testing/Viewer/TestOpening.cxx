@@ -6,6 +6,7 @@
 #include "SilentFile.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
@@ -28,6 +29,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
 
 using namespace varimarch;
 
@@ -125,6 +127,26 @@ TEST_F(Opening, AFileThatDoesNotAnswerIsASentence)
   this->window.Open(QString::fromStdString(path));
   ASSERT_EQ(failed.count(), 1);
   EXPECT_TRUE(failed.first().first().toString().contains("a.nii\" does not answer"));
+}
+
+TEST_F(Opening, ACoarseCopyIsShownUntilALargeVolumeHasBeenRead)
+{
+  const std::string path = this->folder.Write("large.nrrd",
+    "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1024 1024 512\n"
+    "encoding: raw\nspacings: 1 1 1\n\n");
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) + (512 << 20));
+  ChooseMemoryGigabytes(2);
+  this->Open("large.nrrd");
+  ASSERT_TRUE(this->IsOpened());
+  SceneModel* const model = this->window.Model();
+  ASSERT_TRUE(model->CurrentStudy()->volume.isPreview);
+  EXPECT_TRUE(this->WarningText().contains("A coarse copy"));
+  model->Edit(ScenePart::Camera, "zoom", [](Scene& scene) { scene.camera.zoom = 2.0; });
+  const auto isWhole = [=] { return model->CurrentStudy()->volume.isOnDisk; };
+  ASSERT_TRUE(QTest::qWaitFor(isWhole, 10 * MostMilliseconds));
+  ChooseMemoryGigabytes(0);
+  EXPECT_EQ(model->CurrentScene().camera.zoom, 2.0);
+  EXPECT_EQ(this->WarningText(), "");
 }
 
 TEST_F(Opening, AsksWhichOfSeveralSeriesAndWarns)

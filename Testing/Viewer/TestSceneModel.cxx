@@ -133,6 +133,20 @@ TEST_F(OpenedModel, AnotherFormDoesNotBringClosedLabelsBack)
   EXPECT_FALSE(this->model.CurrentStudy()->labels);
 }
 
+TEST_F(OpenedModel, TheWholeVolumeReplacesItsCoarseCopyAndKeepsTheRest)
+{
+  this->Zoom(2.0);
+  const Look look = this->model.CurrentScene().look;
+  const std::shared_ptr<const Study> whole = SmallStudy();
+  QSignalSpy changes(&this->model, &SceneModel::Changed);
+  this->model.Complete(whole);
+  EXPECT_EQ(this->model.CurrentStudy(), whole);
+  EXPECT_EQ(this->model.CurrentScene().camera.zoom, 2.0);
+  EXPECT_EQ(this->model.CurrentScene().look.name, look.name);
+  EXPECT_EQ(changes.last().first().value<ScenePart>(), ScenePart::Volume);
+  EXPECT_FALSE(this->model.History()->canUndo()) << "steps have the coarse copy";
+}
+
 TEST_F(OpenedModel, AnotherVolumeForgetsTheStepsOfTheLast)
 {
   this->Zoom(2.0);

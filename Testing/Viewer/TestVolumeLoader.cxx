@@ -68,6 +68,27 @@ TEST_F(Loading, LeavesVoxelsInTheirFileThatDoNotFitInTheMemoryOfTheUser)
   EXPECT_EQ(std::get<FileSource>(kept).memoryMegabytes, 0.0) << "belongs to the computer";
 }
 
+TEST_F(Loading, ShowsACoarseCopyBeforeAVolumeThatTakesLong)
+{
+  const std::string path = this->folder.Write("large.raw", "");
+  std::filesystem::resize_file(path, 512 << 20);
+  const FileSource source{ path, RawLayout{ { 1024, 1024, 512 } } };
+  const QSignalSpy previewed(&this->loader, &VolumeLoader::Previewed);
+  ChooseMemoryGigabytes(2);
+  for (const int expected : { 1, 1 }) // the ranges are there the second time
+  {
+    this->loader.Load(source);
+    ASSERT_TRUE(this->loaded.wait(10 * MostMilliseconds));
+    EXPECT_EQ(previewed.count(), expected);
+  }
+  ChooseMemoryGigabytes(0);
+  const auto copy = previewed.first()[1].value<std::shared_ptr<const Study>>();
+  EXPECT_TRUE(copy->volume.isPreview);
+  EXPECT_FALSE(copy->volume.isOnDisk);
+  EXPECT_EQ(copy->volume.image->GetDimensions()[0], 256);
+  EXPECT_FALSE(this->loaded.last()[1].value<std::shared_ptr<const Study>>()->volume.isPreview);
+}
+
 TEST_F(Loading, BringsTheVolumeAndItsStatistics)
 {
   this->loader.Load(SmallVolume);

@@ -12,6 +12,8 @@
 
 #include <vtksys/SystemTools.hxx>
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -275,6 +277,13 @@ Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgr
   ReadProgress reading = progress.Part(0.0, options.rectify == Rectify::Never ? 1.0 : 0.8);
   ReadProgress rectifying = progress.Part(0.8, 1.0);
   Volume volume = ReadUnrectified(path, options, reading);
+  if (options.preview && !options.preview->sentence.empty())
+  {
+    volume.warnings.push_back(options.preview->sentence);
+    glm::dvec3 spacing = glm::make_vec3(volume.image->GetSpacing());
+    spacing *= glm::make_vec3(options.preview->steps.data());
+    volume.image->SetSpacing(spacing.x, spacing.y, spacing.z);
+  }
   if (options.Rectifies(volume))
   {
     volume = Rectified(path, volume, rectifying);

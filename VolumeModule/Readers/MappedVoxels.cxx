@@ -2,6 +2,7 @@
 
 #include "Readers/MappedFile.h"
 #include "Readers/MappedMemory.h"
+#include "Readers/Preview.h"
 #include "Readers/RawVoxelSource.h"
 #include "Readers/SummaryFile.h"
 
@@ -53,11 +54,16 @@ vtkSmartPointer<vtkImageData> MappedImage(const VoxelsInFile& voxels, ReadProgre
   auto file =
     std::make_unique<MappedFile>(voxels.path, voxels.offset, ByteCountOf(voxels.path, layout));
   const RawVoxelSource source(voxels.path, layout, voxels.offset);
-  const auto summary =
-    KeptSummary({ source, layout.scalarType, voxels.path, voxels.path,
-                  StampOfFile(voxels.path, voxels.offset), voxels.mostMemoryBytes },
-      progress);
-  return PagedImage(std::move(file), layout, summary, voxels.mostMemoryBytes);
+  const std::uint64_t mostBytes = voxels.mapping.mostMemoryBytes;
+  const SummarizedVoxels summarized = { source, layout.scalarType, voxels.path, voxels.path,
+    StampOfFile(voxels.path, voxels.offset), mostBytes };
+  std::shared_ptr<const VolumeSummary> summary = KeptSummary(summarized);
+  if (!summary && voxels.mapping.preview)
+  {
+    return CoarseCopy(source, layout, *voxels.mapping.preview, progress);
+  }
+  summary = summary ? summary : MadeSummary(summarized, progress);
+  return PagedImage(std::move(file), layout, summary, mostBytes);
 }
 
 vtkSmartPointer<vtkImageData> PagedImage(std::unique_ptr<PagedVoxels> voxels,

@@ -23,11 +23,12 @@ struct VoxelsInFile
   std::string path;
   VoxelLayout layout;   ///< one component of a type of VoxelTypeOf
   std::uint64_t offset; ///< offset of the first voxel in the file
-  std::uint64_t mostMemoryBytes;
+  Mapping mapping;      ///< with a bound of the memory
 };
 
 /// An image of voxels that stay in their file, at the origin, with spacing 1. Its scalars own the
-/// mapped file, and know the summary.
+/// mapped file, and know the summary. If a preview is wished for and no summary is kept, the image
+/// is a coarse copy instead.
 /// @throws std::runtime_error if the file cannot be mapped, or the memory does not suffice for
 /// what belongs to its bricks
 /// @throws ReadCancelled

@@ -5,7 +5,6 @@
 #include "Readers/FileError.h"
 #include "Readers/ImageGeometry.h"
 #include "Readers/MappedVoxels.h"
-#include "Readers/Memory.h"
 #include "Readers/NumberText.h"
 
 #include <vtkDataArray.h>
@@ -128,14 +127,14 @@ std::uint64_t CountBytes(const VtiHeader& header)
 }
 
 /// Where the voxels are. The file must state their number of bytes in front of them.
-VoxelFile VoxelFileOf(
-  const std::string& path, const VtiHeader& header, const VoxelLayout& layout, std::uint64_t most)
+VoxelFile VoxelFileOf(const std::string& path, const VtiHeader& header, const VoxelLayout& layout,
+  const Mapping& mapping)
 {
   const std::vector<double> begin = NumbersOf(header.array, "offset", 1);
   VoxelFile file;
   file.paths = { path };
   file.bigEndian = AttributeOf(header.file, "byte_order") == "BigEndian";
-  file.mostMemoryBytes = most;
+  file.mapping = mapping;
   const auto place = std::uint64_t(
     std::int64_t(header.appended) + WholeNumber(begin.empty() ? 0.0 : std::max(0.0, begin[0])));
   std::uint64_t stated = 0;
@@ -177,7 +176,8 @@ ImageGeometry GeometryOf(const VtiHeader& header)
 std::optional<Volume> MappedVti(
   const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
-  const std::uint64_t most = MostMemoryBytes(options);
+  const Mapping mapping = MappingOf(options);
+  const std::uint64_t most = mapping.mostMemoryBytes;
   if (ReadableFileSize(path) <= most / 4 || CompressionOf(path) != Compression::None)
   {
     return std::nullopt;
@@ -189,7 +189,7 @@ std::optional<Volume> MappedVti(
     return std::nullopt;
   }
   Volume volume;
-  volume.image = ReadVoxels(VoxelFileOf(path, *header, *layout, most), *layout, progress);
+  volume.image = ReadVoxels(VoxelFileOf(path, *header, *layout, mapping), *layout, progress);
   PlaceImage(path, GeometryOf(*header), volume.image);
   return volume;
 }

@@ -5,7 +5,6 @@
 #include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
 #include "Readers/KeptInput.h"
-#include "Readers/Memory.h"
 #include "Readers/NumberText.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
@@ -233,7 +232,7 @@ Volume ReadMetaImage(const std::string& path, const ReadOptions& options, ReadPr
   TakeTimes(path, NumberedTimes(file.volumeCount), options, volume);
   file.volume = options.time;
   file.kept = StreamOf(options);
-  file.mostMemoryBytes = MostMemoryBytes(options);
+  file.mapping = MappingOf(options);
   volume.image = ReadVoxels(file, LayoutOf(header), progress);
   PlaceImage(path, geometry, volume.image);
   if (header.fields.Value(directionKeys).empty())

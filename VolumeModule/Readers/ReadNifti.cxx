@@ -5,7 +5,6 @@
 #include "Readers/Formats.h"
 #include "Readers/KeptInput.h"
 #include "Readers/Magnitude.h"
-#include "Readers/Memory.h"
 #include "Readers/NiftiGeometry.h"
 #include "Readers/NiftiHeader.h"
 #include "Readers/NiftiLayout.h"
@@ -211,7 +210,7 @@ Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgre
   const ImageGeometry geometry = GeometryOf(headerPath, header, volume.warnings);
   VoxelFile file = VoxelFileOf(headerPath, header, options, volume);
   file.conversion = IsRescaled(header.rescale) ? "rescaled" : "";
-  file.mostMemoryBytes = MostMemoryBytes(options);
+  file.mapping = MappingOf(options);
   volume.image = ReadVoxels(file, layout, progress);
   ApplyRescale(headerPath, header, volume);
   PlaceImage(headerPath, geometry, volume.image);

@@ -4,7 +4,6 @@
 #include "Readers/Formats.h"
 #include "Readers/KeptInput.h"
 #include "Readers/Magnitude.h"
-#include "Readers/Memory.h"
 #include "Readers/NrrdAxes.h"
 #include "Readers/NrrdGeometry.h"
 #include "Readers/NrrdSegments.h"
@@ -97,7 +96,7 @@ Volume ReadNrrd(const std::string& path, const ReadOptions& options, ReadProgres
   file.kept = StreamOf(options);
   file.alternation = axes.areAlternating ? 1 : 0;
   file.conversion = holdsSegments ? "joined to segments" : "";
-  file.mostMemoryBytes = MostMemoryBytes(options);
+  file.mapping = MappingOf(options);
   const bool needsByteOrder =
     file.encoding == VoxelEncoding::Binary && vtkDataArray::GetDataTypeSize(layout.scalarType) > 1;
   if (needsByteOrder && !header.fields.Has("endian"))

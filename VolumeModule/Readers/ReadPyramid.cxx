@@ -5,6 +5,7 @@
 #include "Readers/Formats.h"
 #include "Readers/MappedVoxels.h"
 #include "Readers/Memory.h"
+#include "Readers/Preview.h"
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Pyramids/ZarrHeader.h"
 #include "Readers/SummaryFile.h"
@@ -186,10 +187,12 @@ private:
   vtkImageData* image;
 };
 
+/// The image of a level.
 struct LevelImage
 {
   vtkSmartPointer<vtkImageData> image;
   std::int64_t missingChunks;
+  std::size_t level;
 };
 
 /// A level that is read as a whole.
@@ -198,12 +201,27 @@ LevelImage ReadLevel(
 {
   const VoxelLayout layout = LayoutOf(pyramid.Form(), level);
   CheckedByteCount(path, layout);
-  LevelImage read = { AllocatedImage(layout), 0 };
+  LevelImage read = { AllocatedImage(layout), 0, level };
   read.missingChunks = SlabReading(pyramid, level, read.image).Read(progress);
   return read;
 }
 
-/// A level whose chunks are read when they are needed.
+/// The coarser level that serves as a preview of a level: the finest that is read within seconds.
+/// None if there is no such level.
+std::optional<std::size_t> LevelOfPreview(const PyramidForm& form, std::size_t level)
+{
+  constexpr double MostBytes = 5e8;
+  for (std::size_t coarser = level + 1; coarser < form.levels.size(); ++coarser)
+  {
+    if (BytesOf(LayoutOf(form, coarser)) <= MostBytes)
+    {
+      return coarser;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A level whose chunks are read when they are needed, or a preview of it.
 LevelImage PagedLevel(const PyramidOrder& order,
   const std::shared_ptr<const DecodedPyramid>& pyramid, std::size_t level, ReadProgress& progress)
 {
@@ -213,11 +231,19 @@ LevelImage PagedLevel(const PyramidOrder& order,
   const std::uint64_t mostBytes = MostMemoryBytes(order.options);
   const std::string number = std::to_string(level) + "." + std::to_string(order.options.channel) +
     "." + std::to_string(order.options.time);
-  const auto summary = KeptSummary({ *source, layout.scalarType, order.path,
-                                     order.path + "." + number, source->Stamp(), mostBytes },
-    progress);
+  const SummarizedVoxels summarized = { *source, layout.scalarType, order.path,
+    order.path + "." + number, source->Stamp(), mostBytes };
+  std::shared_ptr<const VolumeSummary> summary = KeptSummary(summarized);
+  const std::optional<std::size_t> coarser = LevelOfPreview(pyramid->Form(), level);
+  if (!summary && order.options.preview && coarser)
+  {
+    order.options.preview->sentence =
+      SentenceAboutPreview(LayoutOf(pyramid->Form(), *coarser), layout);
+    return ReadLevel(order.path, *pyramid, *coarser, progress);
+  }
+  summary = summary ? summary : MadeSummary(summarized, progress);
   auto voxels = std::make_unique<ChunkedVoxels>(std::move(source), summary, order.path, mostBytes);
-  return { PagedImage(std::move(voxels), layout, summary, mostBytes), missing };
+  return { PagedImage(std::move(voxels), layout, summary, mostBytes), missing, level };
 }
 
 /// Reads a level, or leaves it in its chunks if it does not fit.
@@ -269,7 +295,7 @@ Volume ReadPyramid(const PyramidOrder& order, ReadProgress& progress)
     volume.warnings.push_back(std::to_string(read.missingChunks) +
       " chunks are not in the folder; their voxels have the fill value of the array.");
   }
-  PlaceImage(order.path, form.geometries[level], volume.image);
+  PlaceImage(order.path, form.geometries[read.level], volume.image);
   return volume;
 }
 

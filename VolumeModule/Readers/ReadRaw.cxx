@@ -2,7 +2,6 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/Memory.h"
 #include "Readers/VoxelFile.h"
 
 #include <vtkDataArray.h>
@@ -34,7 +33,7 @@ Volume ReadRaw(const std::string& path, const ReadOptions& options, ReadProgress
   file.compression = CompressionOf(path);
   file.bigEndian = raw.bigEndian;
   file.dataOffset = raw.headerBytes;
-  file.mostMemoryBytes = MostMemoryBytes(options);
+  file.mapping = MappingOf(options);
 
   Volume volume;
   volume.image = ReadVoxels(file, layout, progress);

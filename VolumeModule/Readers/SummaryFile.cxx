@@ -228,13 +228,11 @@ std::string CacheFolder()
                  : "";
 }
 
-std::shared_ptr<const VolumeSummary> KeptSummary(
-  const SummarizedVoxels& voxels, ReadProgress& progress)
+std::shared_ptr<const VolumeSummary> KeptSummary(const SummarizedVoxels& voxels)
 {
   CheckMemory(voxels);
   const std::string key = KeyOf(voxels);
-  const std::vector<std::string> places = PlacesOf(voxels.place);
-  for (const std::string& place : places)
+  for (const std::string& place : PlacesOf(voxels.place))
   {
     auto summary =
       voxels.stamp.empty() ? nullptr : Restored(place, key, voxels.source, voxels.scalarType);
@@ -243,6 +241,14 @@ std::shared_ptr<const VolumeSummary> KeptSummary(
       return summary;
     }
   }
+  return nullptr;
+}
+
+std::shared_ptr<const VolumeSummary> MadeSummary(
+  const SummarizedVoxels& voxels, ReadProgress& progress)
+{
+  const std::string key = KeyOf(voxels);
+  const std::vector<std::string> places = PlacesOf(voxels.place);
   const auto summary = std::make_shared<VolumeSummary>(SummaryOf(
     voxels.source, voxels.mostMemoryBytes / 8, [&](double part) { progress.Report(part); }));
   if (IsWorthKeeping(voxels) && !Store(places.front(), voxels.path, key, *summary) &&

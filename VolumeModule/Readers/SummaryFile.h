@@ -26,13 +26,16 @@ struct SummarizedVoxels
 /// @param offset  offset of the first voxel
 std::string StampOfFile(const std::string& path, std::uint64_t offset);
 
-/// The summary of voxels. If making it needs more reading than the summary itself, it is kept
+/// The summary of voxels that MadeSummary kept; null if there is none with this stamp.
+/// @throws std::runtime_error if the bricks need more than half of the memory
+std::shared_ptr<const VolumeSummary> KeptSummary(const SummarizedVoxels& voxels);
+
+/// Makes the summary of voxels. If this needs more reading than the summary itself, it is kept
 /// beside the file, as `place` with ".varimarch-ranges", or in the user's folder for such files if
-/// the file's cannot be written, and is made anew when the stamp differs.
-/// @throws std::runtime_error if the file cannot be read, or its bricks need more than half of the
-/// memory
+/// the file's cannot be written.
+/// @throws std::runtime_error if the file cannot be read
 /// @throws ReadCancelled
-std::shared_ptr<const VolumeSummary> KeptSummary(
+std::shared_ptr<const VolumeSummary> MadeSummary(
   const SummarizedVoxels& voxels, ReadProgress& progress);
 
 /// The user's folder for files that can be made anew at any time; empty if the user has none.

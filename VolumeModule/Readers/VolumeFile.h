@@ -103,6 +103,15 @@ enum class Rectify
 
 struct KeptInput;
 
+/// The wish for a coarse copy of a volume, if the volume itself would first have to be read whole.
+struct PreviewWish
+{
+  /// The sentence that says what the copy is; empty if there is none, and the volume was read.
+  std::string sentence;
+  /// Distances of the copy's voxels, in those of the file.
+  std::array<double, 3> steps = { 1.0, 1.0, 1.0 };
+};
+
 /// Options of a reader.
 struct ReadOptions
 {
@@ -115,6 +124,7 @@ struct ReadOptions
   /// Memory that the program may use [bytes]; 0: all of the machine's. Voxels that need more than a
   /// quarter of it stay in their file where that is possible.
   std::uint64_t mostMemoryBytes = 0;
+  PreviewWish* preview = nullptr; ///< null if only the volume itself is wanted
   /// The level of a file with several to read, the finest of which is 0; empty for the finest that
   /// fits in the memory that is free, or can stay in its chunks.
   std::optional<int> level;

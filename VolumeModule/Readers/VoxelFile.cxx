@@ -2,6 +2,7 @@
 
 #include "Readers/FileError.h"
 #include "Readers/MappedVoxels.h"
+#include "Readers/Memory.h"
 #include "Readers/NumberText.h"
 
 #include <vtkByteSwap.h>
@@ -246,7 +247,8 @@ vtkSmartPointer<vtkImageData> ImageIfMapped(
   const VoxelFile& file, const Part& part, const VoxelLayout& layout, ReadProgress& progress)
 {
   const std::uint64_t byteCount = ByteCountOf(part.path, layout);
-  if (file.mostMemoryBytes == 0 || byteCount <= file.mostMemoryBytes / 4)
+  const std::uint64_t mostBytes = file.mapping.mostMemoryBytes;
+  if (mostBytes == 0 || byteCount <= mostBytes / 4)
   {
     return nullptr;
   }
@@ -255,12 +257,12 @@ vtkSmartPointer<vtkImageData> ImageIfMapped(
   const std::string obstacle = ObstacleToMapping(file, layout, offset);
   if (obstacle.empty())
   {
-    return MappedImage({ part.path, layout, offset, file.mostMemoryBytes }, progress);
+    return MappedImage({ part.path, layout, offset, file.mapping }, progress);
   }
-  if (byteCount > file.mostMemoryBytes)
+  if (byteCount > mostBytes)
   {
     FailToRead(part.path,
-      "voxels that fit in the memory of " + ByteText(double(file.mostMemoryBytes)) +
+      "voxels that fit in the memory of " + ByteText(double(mostBytes)) +
         ", or that can be drawn from disk",
       Text(layout) + " (" + ByteText(double(byteCount)) + ") that " + obstacle +
         "; store them uncompressed in one NRRD file, in this machine's byte order");
@@ -268,6 +270,11 @@ vtkSmartPointer<vtkImageData> ImageIfMapped(
   return nullptr;
 }
 
+}
+
+Mapping MappingOf(const ReadOptions& options)
+{
+  return { MostMemoryBytes(options), options.preview };
 }
 
 void ReadBytes(const std::string& path, ByteStream& stream, void* destination,

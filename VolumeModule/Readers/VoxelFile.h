@@ -20,6 +20,17 @@ enum class VoxelEncoding
   Text ///< decimal numbers separated by whitespace or commas
 };
 
+/// The condition under which voxels are mapped, if the file has them as they are in memory.
+struct Mapping
+{
+  /// Memory that the program may use [bytes]. Voxels that need more than a quarter of it are
+  /// mapped. 0: voxels are always read.
+  std::uint64_t mostMemoryBytes = 0;
+  PreviewWish* preview = nullptr; ///< see ReadOptions
+};
+
+Mapping MappingOf(const ReadOptions& options);
+
 /// Location and encoding of the voxels.
 struct VoxelFile
 {
@@ -41,9 +52,7 @@ struct VoxelFile
   std::int64_t dataOffset = 0; ///< bytes to skip after decompression, or FromEnd
   KeptStream* kept = nullptr;  ///< the stream behind the volume that was read last, or null
   std::string conversion;      ///< the work on the voxels once they are read, such as "rescaled"
-  /// Memory that the program may use [bytes]. Voxels that need more than a quarter of it are mapped
-  /// if the file has them as they are in memory. 0: voxels are always read.
-  std::uint64_t mostMemoryBytes = 0;
+  Mapping mapping;
 };
 
 /// Reads the voxels into a new image at the origin with spacing 1, or maps them (MappedVoxels.h).

@@ -112,6 +112,14 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
   this->Restore(first, std::move(opened));
 }
 
+void SceneModel::Complete(std::shared_ptr<const Study> whole)
+{
+  Scene kept = this->state.scene;
+  kept.cuts.box = BoxInOther(kept.cuts.box, this->state.study->volume.image, whole->volume.image);
+  kept.labels.reset();
+  this->Restore(kept, std::move(whole));
+}
+
 void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened)
 {
   this->history.clear();

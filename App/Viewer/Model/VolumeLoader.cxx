@@ -1,15 +1,12 @@
 #include "Viewer/Model/VolumeLoader.h"
 
-#include "Viewer/Model/MemoryLimit.h"
-#include "Viewer/Model/RecentScans.h"
+#include "Viewer/Model/VolumeRequests.h"
 
 #include <QThread>
 #include <QTimer>
 
-#include <algorithm>
 #include <exception>
 #include <functional>
-#include <iterator>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -24,166 +21,15 @@ namespace
 constexpr int StopMilliseconds = 2000;
 constexpr int StopMillisecondsAtEnd = 10000;
 
-// The result of a request. A folder with several series has neither study.
-struct Found
-{
-  VolumeSource source;
-  std::shared_ptr<const Study> study; ///< the volume, if one was read
-  SceneLabels labels;
-  std::shared_ptr<const Study> labelled;    ///< a scan with labels over it, if they were read
-  std::vector<SeriesSummary> series;        ///< all series of a folder
-  std::vector<SeriesSummary> segmentations; ///< the segmentations among them
-};
-
-bool IsSegmentation(const SeriesSummary& series)
-{
-  return series.modality == "SEG";
-}
-
-LoadedVolume LoadWithinMemory(const VolumeSource& source, const LoadObserver& observe)
-{
-  const auto* const file = std::get_if<FileSource>(&source);
-  return LoadVolume(file ? WithinMemory(*file) : source, observe);
-}
-
-Study StudyWithoutLabels(LoadedVolume volume)
-{
-  ImageStatistics statistics(volume.image);
-  return { std::move(volume), std::move(statistics) };
-}
-
-// The volume as a study, with labels over it. Labels that cannot be read do not lose the volume.
-std::shared_ptr<const Study> StudyOf(LoadedVolume volume, const std::string& path,
-  const std::optional<SceneLabels>& labels, const LoadObserver& observe)
-{
-  Study study = StudyWithoutLabels(std::move(volume));
-  try
-  {
-    if (labels)
-    {
-      return WithLabels(study, LoadLabels(*labels, study.volume, observe));
-    }
-    if (!study.volume.segments.empty())
-    {
-      LabelMap own = LabelMapOf(study.volume, path, study.volume);
-      own.warnings.clear(); // they are those of the volume
-      return WithLabels(study, std::move(own));
-    }
-  }
-  catch (const std::runtime_error& reason)
-  {
-    study.volume.warnings.push_back(reason.what());
-  }
-  return std::make_shared<const Study>(std::move(study));
-}
-
-// The volume over another one. It is drawn by its look even if its values are labels.
-std::shared_ptr<const Study> OverlayStudy(
-  const OverlaidVolume& overlay, const LoadObserver& observe)
-{
-  LoadedVolume volume = LoadWithinMemory(overlay.source, observe);
-  return overlay.labels ? StudyOf(std::move(volume), {}, overlay.labels, observe)
-                        : std::make_shared<const Study>(StudyWithoutLabels(std::move(volume)));
-}
-
-// The volume with others over it. One that cannot be read is null.
-std::shared_ptr<const Study> WithOverlays(const std::shared_ptr<const Study>& first,
-  const std::vector<OverlaidVolume>& overlays, const LoadObserver& observe)
-{
-  Study study = *first;
-  for (const OverlaidVolume& overlay : overlays)
-  {
-    study.overlays.emplace_back();
-    try
-    {
-      study.overlays.back() = OverlayStudy(overlay, observe);
-    }
-    catch (const std::runtime_error& reason)
-    {
-      study.volume.warnings.push_back(reason.what());
-    }
-  }
-  return std::make_shared<const Study>(std::move(study));
-}
-
-// The only series that fulfils a condition.
-template <class Condition>
-const SeriesSummary* OnlySeries(const std::vector<SeriesSummary>& series, const Condition& isWanted)
-{
-  const auto first = std::find_if(series.begin(), series.end(), isWanted);
-  return std::count_if(series.begin(), series.end(), isWanted) == 1 ? &*first : nullptr;
-}
-
-// The series to open without a question; null if the user has to choose.
-const SeriesSummary* SeriesToOpen(const std::vector<SeriesSummary>& series, const QString& digest)
-{
-  if (!digest.isEmpty())
-  {
-    return OnlySeries(
-      series, [&](const SeriesSummary& one) { return DigestOfSeries(one.uid) == digest; });
-  }
-  return series.size() == 1 ? &series.front() : OnlySeries(series, std::not_fn(IsSegmentation));
-}
-
-Found ReadVolume(const VolumeSource& source, const QString& digest,
-  const std::optional<SceneLabels>& labels, const LoadObserver& observe)
-{
-  Found found;
-  found.source = source;
-  auto* const file = std::get_if<FileSource>(&found.source);
-  if (file && MayHoldSeveralSeries(*file))
-  {
-    found.series = ListSeries(file->path, observe);
-    std::copy_if(found.series.begin(), found.series.end(), std::back_inserter(found.segmentations),
-      IsSegmentation);
-    const SeriesSummary* const chosen = SeriesToOpen(found.series, digest);
-    if (!chosen && (!found.series.empty() || !digest.isEmpty()))
-    {
-      return found;
-    }
-    // The only series of a folder needs no name.
-    if (chosen && (found.series.size() > 1 || !digest.isEmpty()))
-    {
-      file->series = chosen->uid;
-    }
-  }
-  found.study = StudyOf(
-    LoadWithinMemory(found.source, observe), file ? file->path : std::string(), labels, observe);
-  return found;
-}
-
-Found ReadBeside(const std::string& path, const Study& scan, const LoadObserver& observe)
-{
-  Found found;
-  found.source = FileSource{ path, std::nullopt };
-  found.labels.path = path;
-  LoadedVolume volume = LoadWithinMemory(found.source, observe);
-  const bool areLabels = !volume.segments.empty();
-  try
-  {
-    found.labelled = WithLabels(scan, LabelMapOf(volume, path, scan.volume));
-  }
-  catch (const std::runtime_error&)
-  {
-    // They belong to no scan, or to another one.
-    if (areLabels)
-    {
-      throw;
-    }
-  }
-  if (!areLabels)
-  {
-    found.study = StudyOf(std::move(volume), path, std::nullopt, observe);
-  }
-  return found;
-}
-
 }
 
 // State shared by the thread and the loader. A thread that waits for a disk that is gone outlives
 // the loader.
-struct VolumeLoader::Task
+struct VolumeLoader::Task : public std::enable_shared_from_this<VolumeLoader::Task>
 {
+  /// Lets the loader emit Previewed, unless it has left the thread alone before it gets there.
+  void Show(const VolumeSource& source, const std::shared_ptr<const Study>& study);
+
   std::function<Found(const LoadObserver&)> read;
   std::atomic<bool> stop{ false };
   Found found;
@@ -192,6 +38,22 @@ struct VolumeLoader::Task
   std::mutex mutex;
   VolumeLoader* loader; ///< receives the progress; null if it has left the thread alone
 };
+
+void VolumeLoader::Task::Show(const VolumeSource& source, const std::shared_ptr<const Study>& study)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  if (this->loader)
+  {
+    const auto show = [to = this->loader, task = this->shared_from_this(), source, study]
+    {
+      if (to->task == task)
+      {
+        emit to->Previewed(source, study);
+      }
+    };
+    QMetaObject::invokeMethod(this->loader, show, Qt::QueuedConnection);
+  }
+}
 
 VolumeLoader::VolumeLoader(QObject* parent)
   : QObject(parent)
@@ -217,14 +79,12 @@ void VolumeLoader::Load(const VolumeSource& source, const QString& series,
   const std::optional<SceneLabels>& labels, const std::vector<OverlaidVolume>& overlays)
 {
   auto request = std::make_shared<Task>();
-  request->read = [=](const LoadObserver& observe)
+  const VolumeWish wish = { source, series, labels, overlays };
+  request->read = [wish, task = request.get()](const LoadObserver& observe)
   {
-    Found found = ReadVolume(source, series, labels, observe);
-    if (found.study && !overlays.empty())
-    {
-      found.study = WithOverlays(found.study, overlays, observe);
-    }
-    return found;
+    return ReadVolume(wish, observe,
+      [task](const VolumeSource& shown, const std::shared_ptr<const Study>& study)
+      { task->Show(shown, study); });
   };
   this->Start(request);
 }

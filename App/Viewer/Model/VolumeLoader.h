@@ -55,6 +55,10 @@ signals:
   /// @param part  fraction of the work that is done, [0, 1]
   void Progress(double part);
   void Loaded(const varimarch::VolumeSource& source, std::shared_ptr<const varimarch::Study> study);
+  /// Emitted before Loaded for a volume without labels and overlays whose first opening takes long.
+  /// @param study  a coarse copy of the volume
+  void Previewed(
+    const varimarch::VolumeSource& source, std::shared_ptr<const varimarch::Study> study);
   /// @param study  the scan with the labels
   void LabelsLoaded(
     const varimarch::SceneLabels& labels, std::shared_ptr<const varimarch::Study> study);

@@ -2044,6 +2044,10 @@ Masken nicht unterstützt</translation>
         <translation>„%1“ antwortet nicht: Der Datenträger oder das Netz ist vielleicht weg. Versuchen Sie es später noch einmal.</translation>
     </message>
     <message>
+        <source>A coarse copy is shown until the volume has been read for the first time</source>
+        <translation>Eine grobe Kopie ist zu sehen, bis das Volumen zum ersten Mal gelesen ist</translation>
+    </message>
+    <message>
         <source>Loading was cancelled</source>
         <translation>Das Laden wurde abgebrochen</translation>
     </message>

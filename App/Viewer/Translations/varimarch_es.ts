@@ -2044,6 +2044,10 @@ no admite máscaras</translation>
         <translation>«%1» no responde: quizá no estén disponibles su disco o la red. Inténtelo más tarde.</translation>
     </message>
     <message>
+        <source>A coarse copy is shown until the volume has been read for the first time</source>
+        <translation>Se muestra una copia aproximada hasta que el volumen se haya leído por primera vez</translation>
+    </message>
+    <message>
         <source>Loading was cancelled</source>
         <translation>Se canceló la carga</translation>
     </message>
