@@ -352,6 +352,26 @@ void AddSoakCommand(CLI::App& program, const std::string& commandText)
   app->callback([arguments] { RunSoak(*arguments); });
 }
 
+void AddTimesCommand(CLI::App& program, const std::string& commandText)
+{
+  const auto arguments = std::make_shared<TimesArguments>();
+  arguments->report.commandText = commandText;
+  CLI::App* app = program.add_subcommand(
+    "times", "Play the times of a scan: other voxels in every frame; watch memory and speed");
+  app->footer("Writes times.md and .json. Example:\n"
+              "  varimarch-bench times procedural:torso:256x256x256 -o report --size 512x512");
+  AddSceneArgument(*app, arguments->input);
+  AddLookAndPictureOptions(*app, arguments->scene);
+  AddReportOptions(*app, arguments->report);
+  app->add_option("--times", arguments->times, "Number of times (default 20)")
+    ->check(CLI::Range(2, 1000).description(""))
+    ->type_name("N");
+  app->add_option("--frames", arguments->frames, "Number of frames (default 1000)")
+    ->check(CLI::Range(1, 100000000).description(""))
+    ->type_name("N");
+  app->callback([arguments] { RunTimes(*arguments); });
+}
+
 }
 
 void AddCommands(CLI::App& program, const std::string& commandText)
@@ -371,6 +391,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddOrderCommand(program, commandText);
   AddReferencesCommand(program);
   AddSoakCommand(program, commandText);
+  AddTimesCommand(program, commandText);
 }
 
 }

@@ -112,6 +112,15 @@ struct SoakArguments
   int frames = 20000; ///< at least SoakParts
 };
 
+struct TimesArguments
+{
+  ReportArguments report;
+  SceneArguments scene;
+  std::string input;
+  int times = 20;
+  int frames = 1000;
+};
+
 struct ShaderCostArguments
 {
   ReportArguments report;
@@ -135,6 +144,7 @@ void RunExtremes(const ExtremesArguments& arguments);
 void RunOrder(const OrderArguments& arguments);
 void RunReferences(const ReferencesArguments& arguments);
 void RunSoak(const SoakArguments& arguments);
+void RunTimes(const TimesArguments& arguments);
 
 /// Adds the subcommands that fill these arguments and run.
 void AddCommands(CLI::App& program, const std::string& commandText);

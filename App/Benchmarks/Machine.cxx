@@ -53,6 +53,24 @@ Machine ThisMachine()
     Now() };
 }
 
+double StatusNumber(const std::string& key)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.compare(0, key.size() + 1, key + ":") == 0)
+    {
+      return std::stod(line.substr(key.size() + 1));
+    }
+  }
+  return 0.0;
+}
+
+double ResidentMegabytes()
+{
+  return StatusNumber("VmRSS") / 1024.0;
+}
+
 nlohmann::ordered_json ToJson(const Machine& machine)
 {
   return { { "processor", machine.processor }, { "cores", machine.cores },

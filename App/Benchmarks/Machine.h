@@ -21,6 +21,12 @@ struct Machine
 /// Describes this machine, with its load at the time of the call.
 Machine ThisMachine();
 
+/// Number after a key of /proc/self/status, such as "Threads".
+double StatusNumber(const std::string& key);
+
+/// Memory of this process that is resident [MB].
+double ResidentMegabytes();
+
 nlohmann::ordered_json ToJson(const Machine& machine);
 
 /// The same as a part of a sentence.

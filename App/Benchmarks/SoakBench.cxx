@@ -1,5 +1,6 @@
 #include "SoakBench.h"
 
+#include "Machine.h"
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
 
@@ -8,7 +9,6 @@
 #include <vtkPointData.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -18,20 +18,6 @@ namespace varimarch
 
 namespace
 {
-
-/// Number after a key of /proc/self/status.
-double StatusNumber(const std::string& key)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-  {
-    if (line.compare(0, key.size() + 1, key + ":") == 0)
-    {
-      return std::stod(line.substr(key.size() + 1));
-    }
-  }
-  return 0.0;
-}
 
 int OpenFiles()
 {
@@ -116,8 +102,8 @@ std::vector<SoakPart> Soak(const Scene& scene, const LoadedVolume& volume, int f
     times.push_back(day.Frame(frame));
     if (frame == int(std::int64_t(frames) * (int(parts.size()) + 1) / SoakParts))
     {
-      parts.push_back({ frame, Median(times), StatusNumber("VmRSS") / 1024.0, OpenFiles(),
-        int(StatusNumber("Threads")) });
+      parts.push_back(
+        { frame, Median(times), ResidentMegabytes(), OpenFiles(), int(StatusNumber("Threads")) });
       times.clear();
       onPart(parts.back());
     }

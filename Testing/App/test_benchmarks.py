@@ -260,6 +260,15 @@ def soak(folder):
     assert parts[-1]["residentMegabytes"] < parts[-2]["residentMegabytes"] + 20
 
 
+def times(folder):
+    text, _ = run("times", "procedural:shells:16x16x16", "-o", folder, "--size", "32x32",
+                  "--times", "4", "--frames", "200")
+    assert (folder / "times.md").read_text() == text
+    cost = json.loads((folder / "times.json").read_text())
+    assert cost["frames"] == 200 and cost["newMs"] > 0 and cost["stillMs"] > 0, cost
+    assert cost["residentMegabytesAtEnd"] < cost["residentMegabytesAtFirst"] + 20, cost
+
+
 def features(folder):
     text, _ = run("features", "procedural:shells:16x16x16", "-o", folder, "--size",
                   "32x32", "--rounds", "1", "--only", "shading,dependent-4")
@@ -279,7 +288,7 @@ def usage(folder):
         assert errors.strip(), arguments
     text, _ = run("--help")
     for command in ("work-precision", "published", "speed", "shadows", "light-methods", "scaling",
-                    "features", "shaders", "extremes", "order", "references", "soak"):
+                    "features", "shaders", "extremes", "order", "references", "soak", "times"):
         assert command in text.partition("Subcommands:")[2], text
         text_of_command, _ = run(command, "--help")
         assert f"  varimarch-bench {command} " in text_of_command, "help without examples"
