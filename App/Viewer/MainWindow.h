@@ -35,6 +35,7 @@ class TimeCurve;
 class TimeSeries;
 class ViewLayout;
 class ViewMenu;
+struct TourStep;
 class WarningBar;
 
 /// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens
@@ -153,6 +154,8 @@ private:
   void ShowSaved(const QString& path);
   void ListRecentScans();
   void ShowAbout();
+  void ShowTour();
+  std::vector<TourStep> TourSteps();
   void ForgetRequest();
   void BeginLoading(const QString& path);
   void Load(const VolumeSource& source, const QString& series = {},

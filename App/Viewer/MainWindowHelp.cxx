@@ -6,10 +6,15 @@
 #include "Viewer/KeysDialog.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Open/StartPage.h"
+#include "Viewer/Tour.h"
+#include "Viewer/View/ComparisonView.h"
+#include "Viewer/View/SliceView.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>
 #include <QDesktopServices>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
@@ -87,6 +92,7 @@ void MainWindow::MakeHelpMenu()
       tr("&Mouse and keys"), this, [this] { ShowKeys(this->menuBar(), this); },
       QKeySequence(Qt::Key_F1))
     ->setObjectName("mouseAndKeys");
+  menu->addAction(tr("&Two-minute tour"), this, &MainWindow::ShowTour)->setObjectName("showTour");
   this->MakeLanguageMenu(menu->addMenu(tr("&Language")));
   menu->addAction(tr("Open the l&og folder"), this,
     []
@@ -95,6 +101,70 @@ void MainWindow::MakeHelpMenu()
       QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(LogFileIn(folder)).path()));
     });
   menu->addAction(tr("&About Varimarch"), this, &MainWindow::ShowAbout);
+}
+
+// Without a scan the tour shows the phantom.
+void MainWindow::ShowTour()
+{
+  if (!this->model.CurrentStudy())
+  {
+    this->Load(SampleTorso());
+  }
+  if (auto* const shown = this->findChild<Tour*>())
+  {
+    shown->close();
+  }
+  (new Tour(this->TourSteps(), this))->show();
+}
+
+std::vector<TourStep> MainWindow::TourSteps()
+{
+  const auto widget = [](QWidget* target) { return [target] { return target; }; };
+  const auto panel = [this](const char* name)
+  {
+    return [this, name]() -> QWidget*
+    {
+      auto* const dock = this->findChild<QDockWidget*>(name);
+      dock->show();
+      dock->raise();
+      return dock;
+    };
+  };
+  return {
+    { tr("The volume"),
+      tr("Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to "
+         "come "
+         "nearer. A double-click shows it alone, another one all views again."),
+      widget(this->view) },
+    { tr("Slices"),
+      tr("The wheel goes through the slices. Drag the cross to move all three, its arms to tilt "
+         "them, "
+         "and the right button for brightness and contrast. Numbers choose a usual window."),
+      widget(this->sliceViews.front()) },
+    { tr("Looks"),
+      tr("Each picture is this scan with another look. Click one; Ctrl+Z takes it back, as it does "
+         "every edit."),
+      panel("presets") },
+    { tr("Transfer function"),
+      tr(
+        "The curve says how opaque each value is, over the histogram of the scan. Drag its points, "
+        "click to add one, and double-click a point for its numbers."),
+      panel("look") },
+    { tr("Cut away"),
+      tr("Remove the table with one click, drag a box or a plane in the volume, or cut with the "
+         "scissors of the tool bar."),
+      panel("cuts") },
+    { tr("Measurements"),
+      tr("Choose a measurement in the tool bar and drag in a slice or in the volume. All of them "
+         "are "
+         "listed here, and stand in reports."),
+      panel("measures") },
+    { tr("Everything else"),
+      tr("Ctrl+K finds any command by a word, and F1 lists the mouse and the keys. The menu File "
+         "keeps "
+         "sessions, images and reports."),
+      widget(this->menuBar()) },
+  };
 }
 
 void MainWindow::ShowAbout()

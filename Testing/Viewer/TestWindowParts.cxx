@@ -9,9 +9,14 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
+#include <QPointer>
+#include <QPushButton>
 #include <QTextBrowser>
 
 #include <vtkCamera.h>
@@ -24,8 +29,7 @@ TEST_F(Window, OffersScansAndSamplesWhileItIsEmpty)
   auto* const page = this->window.findChild<StartPage*>();
   ASSERT_TRUE(page && page->isVisible());
   EXPECT_FALSE(this->View()->isVisible());
-  const QList<QAbstractButton*> buttons = page->findChildren<QAbstractButton*>();
-  QAbstractButton* const sample = buttons.last(); // the computed one
+  auto* const sample = page->findChild<QAbstractButton*>("sampleTorso");
   QTest::mouseClick(sample, Qt::LeftButton);
   ASSERT_TRUE(
     QTest::qWaitFor([&] { return bool(this->Model()->CurrentStudy()); }, MostMilliseconds));
@@ -133,4 +137,38 @@ TEST_F(Window, MarksTheViewThatWasClickedLast)
   ASSERT_EQ(marked.size(), 2);
   EXPECT_EQ(marked[0].view, KeyView::Coronal);
   EXPECT_EQ(marked[1].view, KeyView::Volume);
+}
+
+TEST_F(Window, IsShownByATour)
+{
+  this->window.findChild<QAbstractButton*>("tourOfStart")->click();
+  EXPECT_TRUE(
+    QTest::qWaitFor([&] { return this->Model()->CurrentStudy() != nullptr; }, MostMilliseconds))
+    << "it needs a volume";
+  const QPointer<QDialog> tour = this->window.findChild<QDialog*>("tour");
+  ASSERT_TRUE(tour);
+  auto* const frame = this->window.findChild<QWidget*>("tourFrame");
+  auto* const next = tour->findChild<QPushButton*>("tourNext");
+  auto* const back = tour->findChild<QPushButton*>("tourBack");
+  EXPECT_FALSE(back->isEnabled());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return frame->isVisible(); }, MostMilliseconds));
+  std::vector<QRect> places = { frame->geometry() };
+  QStringList titles = { tour->findChild<QLabel*>("tourTitle")->text() };
+  while (next->text() == "Next")
+  {
+    next->click();
+    EXPECT_TRUE(frame->isVisible()) << titles.last().toStdString();
+    EXPECT_TRUE(this->window.rect().contains(frame->geometry()));
+    places.push_back(frame->geometry());
+    EXPECT_FALSE(titles.contains(tour->findChild<QLabel*>("tourTitle")->text()));
+    titles.append(tour->findChild<QLabel*>("tourTitle")->text());
+  }
+  EXPECT_EQ(titles.size(), 7);
+  EXPECT_TRUE(this->window.findChild<QDockWidget*>("measures")->isVisible());
+  back->click();
+  EXPECT_EQ(tour->findChild<QLabel*>("tourTitle")->text(), titles[5]);
+  next->click();
+  next->click();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tour.isNull(); }, MostMilliseconds));
+  EXPECT_FALSE(this->window.findChild<QWidget*>("tourFrame"));
 }

@@ -34,6 +34,11 @@ QCommandLinkButton* AddButton(QVBoxLayout* column, const QString& text, const QS
 
 }
 
+VolumeSource SampleTorso()
+{
+  return ProceduralSource{ ProceduralKind::Torso, { 192, 160, 128 } };
+}
+
 StartPage::StartPage(const RecentScans& recentScans, QWidget* parent)
   : QWidget(parent)
 {
@@ -78,12 +83,15 @@ void StartPage::AddSamples(QVBoxLayout* column)
     connect(AddButton(column, tr("Head CT"), tr("From the package invesalius-examples")),
       &QAbstractButton::clicked, this, [this] { emit this->ScanWanted(SampleHead, {}); });
   }
+  QCommandLinkButton* const torso =
+    AddButton(column, tr("Phantom of a torso"), tr("Computed, with bones, lungs and vessels"));
+  torso->setObjectName("sampleTorso");
   connect(
-    AddButton(column, tr("Phantom of a torso"), tr("Computed, with bones, lungs and vessels")),
-    &QAbstractButton::clicked, this,
-    [this] {
-      emit this->SampleWanted(ProceduralSource{ ProceduralKind::Torso, { 192, 160, 128 } });
-    });
+    torso, &QAbstractButton::clicked, this, [this] { emit this->SampleWanted(SampleTorso()); });
+  QCommandLinkButton* const tour =
+    AddButton(column, tr("Two-minute tour"), tr("What is where, on the phantom"));
+  tour->setObjectName("tourOfStart");
+  connect(tour, &QAbstractButton::clicked, this, &StartPage::TourWanted);
 }
 
 }

@@ -11,6 +11,9 @@ class QVBoxLayout;
 namespace varimarch
 {
 
+/// A computed volume for those without a scan.
+VolumeSource SampleTorso();
+
 /// The page of a window without a scan: how to open one, those opened most recently, and samples.
 class StartPage : public QWidget
 {
@@ -27,6 +30,7 @@ signals:
   void ScanWanted(const QString& path, const QString& series);
 
   void SampleWanted(const VolumeSource& sample);
+  void TourWanted();
 
 private:
   void AddRecentScans(QVBoxLayout* column, const RecentScans& recentScans);

@@ -2671,6 +2671,58 @@ Masken nicht unterstützt</translation>
         <source>Open files as times: choose one of those that differ in a number</source>
         <translation>Dateien als Zeitpunkte öffnen: eine von denen wählen, die sich in einer Zahl unterscheiden</translation>
     </message>
+    <message>
+        <source>&amp;Two-minute tour</source>
+        <translation>&amp;Rundgang in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>The volume</source>
+        <translation>Das Volumen</translation>
+    </message>
+    <message>
+        <source>Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to come nearer. A double-click shows it alone, another one all views again.</source>
+        <translation>Ziehen dreht es, Ziehen mit Umschalt oder der mittleren Taste verschiebt es, und das Rad holt es näher. Ein Doppelklick zeigt es allein, ein weiterer wieder alle Ansichten.</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and the right button for brightness and contrast. Numbers choose a usual window.</source>
+        <translation>Das Rad blättert durch die Schnitte. Das Fadenkreuz zu ziehen bewegt alle drei, seine Arme kippen sie, und die rechte Taste ändert Helligkeit und Kontrast. Ziffern wählen ein übliches Fenster.</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Darstellungen</translation>
+    </message>
+    <message>
+        <source>Each picture is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
+        <translation>Jedes Bild ist diese Aufnahme in einer anderen Darstellung. Ein Klick wählt sie; Strg+Z nimmt sie zurück, wie jede Änderung.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>The curve says how opaque each value is, over the histogram of the scan. Drag its points, click to add one, and double-click a point for its numbers.</source>
+        <translation>Die Kurve sagt, wie undurchsichtig jeder Wert ist, über dem Histogramm der Aufnahme. Ihre Punkte lassen sich ziehen, ein Klick fügt einen hinzu, ein Doppelklick zeigt seine Zahlen.</translation>
+    </message>
+    <message>
+        <source>Remove the table with one click, drag a box or a plane in the volume, or cut with the scissors of the tool bar.</source>
+        <translation>Den Tisch mit einem Klick entfernen, einen Quader oder eine Ebene im Volumen ziehen, oder mit der Schere der Werkzeugleiste schneiden.</translation>
+    </message>
+    <message>
+        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here, and stand in reports.</source>
+        <translation>Eine Messung in der Werkzeugleiste wählen und in einem Schnitt oder im Volumen ziehen. Alle stehen hier in einer Liste und in Berichten.</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Alles andere</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds any command by a word, and F1 lists the mouse and the keys. The menu File keeps sessions, images and reports.</source>
+        <translation>Strg+K findet jeden Befehl durch ein Wort, und F1 zeigt Maus und Tasten. Das Menü Datei speichert Sitzungen, Bilder und Berichte.</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -3670,6 +3722,14 @@ ml</translation>
         <source>Computed, with bones, lungs and vessels</source>
         <translation>Berechnet, mit Knochen, Lunge und Gefäßen</translation>
     </message>
+    <message>
+        <source>Two-minute tour</source>
+        <translation>Rundgang in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>What is where, on the phantom</source>
+        <translation>Was wo ist, am Phantom gezeigt</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::StudyListWindow</name>
@@ -3917,6 +3977,29 @@ ml</translation>
     <message>
         <source>%1 at the crosshair, %2 of %3 times</source>
         <translation>%1 am Fadenkreuz, %2 von %3 Zeitpunkten</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Rundgang beenden</translation>
+    </message>
+    <message>
+        <source>Tour: %1 of %2</source>
+        <translation>Rundgang: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
     </message>
 </context>
 <context>

@@ -2671,6 +2671,58 @@ no admite máscaras</translation>
         <source>Open files as times: choose one of those that differ in a number</source>
         <translation>Abrir archivos como tiempos: elija uno de los que difieren en un número</translation>
     </message>
+    <message>
+        <source>&amp;Two-minute tour</source>
+        <translation>Recorrido de &amp;dos minutos</translation>
+    </message>
+    <message>
+        <source>The volume</source>
+        <translation>El volumen</translation>
+    </message>
+    <message>
+        <source>Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to come nearer. A double-click shows it alone, another one all views again.</source>
+        <translation>Arrastre para girarlo, arrastre con Mayús o con el botón central para moverlo y use la rueda para acercarse. Un doble clic lo muestra solo; otro, de nuevo todas las vistas.</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and the right button for brightness and contrast. Numbers choose a usual window.</source>
+        <translation>La rueda recorre los cortes. Arrastre la cruz para mover los tres, sus brazos para inclinarlos y el botón derecho para el brillo y el contraste. Los números eligen una ventana habitual.</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Aspectos</translation>
+    </message>
+    <message>
+        <source>Each picture is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
+        <translation>Cada imagen es este estudio con otro aspecto. Haga clic en una; Ctrl+Z lo deshace, como todo cambio.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Función de transferencia</translation>
+    </message>
+    <message>
+        <source>The curve says how opaque each value is, over the histogram of the scan. Drag its points, click to add one, and double-click a point for its numbers.</source>
+        <translation>La curva indica cuán opaco es cada valor, sobre el histograma del estudio. Arrastre sus puntos, haga clic para añadir uno y doble clic en un punto para ver sus números.</translation>
+    </message>
+    <message>
+        <source>Remove the table with one click, drag a box or a plane in the volume, or cut with the scissors of the tool bar.</source>
+        <translation>Quite la mesa con un clic, arrastre una caja o un plano en el volumen, o corte con las tijeras de la barra de herramientas.</translation>
+    </message>
+    <message>
+        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here, and stand in reports.</source>
+        <translation>Elija una medición en la barra de herramientas y arrastre en un corte o en el volumen. Todas figuran aquí en una lista y en los informes.</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Todo lo demás</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds any command by a word, and F1 lists the mouse and the keys. The menu File keeps sessions, images and reports.</source>
+        <translation>Ctrl+K encuentra cualquier orden por una palabra y F1 muestra el ratón y las teclas. El menú Archivo guarda sesiones, imágenes e informes.</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
@@ -3670,6 +3722,14 @@ ml</translation>
         <source>Computed, with bones, lungs and vessels</source>
         <translation>Calculado, con huesos, pulmones y vasos</translation>
     </message>
+    <message>
+        <source>Two-minute tour</source>
+        <translation>Recorrido de dos minutos</translation>
+    </message>
+    <message>
+        <source>What is where, on the phantom</source>
+        <translation>Dónde está cada cosa, con el fantoma</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::StudyListWindow</name>
@@ -3917,6 +3977,29 @@ ml</translation>
     <message>
         <source>%1 at the crosshair, %2 of %3 times</source>
         <translation>%1 en la cruz, %2 de %3 tiempos</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::Tour</name>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation>Terminar el recorrido</translation>
+    </message>
+    <message>
+        <source>Tour: %1 of %2</source>
+        <translation>Recorrido: %1 de %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Listo</translation>
     </message>
 </context>
 <context>

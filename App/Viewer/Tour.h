@@ -1,0 +1,58 @@
+#ifndef Varimarch_Viewer_Tour_h
+#define Varimarch_Viewer_Tour_h
+
+#include <QDialog>
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QPushButton;
+
+namespace varimarch
+{
+
+/// A place of the window that the tour shows.
+struct TourStep
+{
+  QString title;
+  QString text;                     ///< what to try there
+  std::function<QWidget*()> target; ///< makes the place visible, and returns it
+};
+
+/// A tour of the window for newcomers: a small dialog beside a frame around one place after the
+/// other, which may be tried out meanwhile.
+class Tour : public QDialog
+{
+  Q_OBJECT
+
+public:
+  /// @param steps   at least one
+  /// @param window  the window that is shown
+  Tour(std::vector<TourStep> steps, QWidget* window);
+  ~Tour() override;
+
+protected:
+  /// The frame follows its place.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  class Frame;
+
+  void Show(int step);
+  void PlaceFrame();
+
+  std::vector<TourStep> steps;
+  int current = 0;
+  QWidget* target = nullptr;
+  Frame* frame;
+  QLabel* title;
+  QLabel* text;
+  QPushButton* back;
+  QPushButton* next;
+};
+
+}
+
+#endif
