@@ -21,7 +21,7 @@ struct RandomFiles
   QString scan;
   QString times;        ///< a scan of several times
   QString further;      ///< a scan to draw over another
-  QString segmentation; ///< of the scan
+  QString segmentation; ///< a segmentation of the scan
 };
 
 /// A user without a plan: clicks, drags, wheels, keys, words, menus, lists and sliders at random,
