@@ -53,7 +53,7 @@ buildTbb()
 
 setUp "${packages[@]}" "${testPackages[@]}" dpkg-dev
 buildTbb
-targets=(UnitTests TestProcessorMarching ViewerTests)
+targets=(UnitTests TestProcessorMarching TestVoxelsOnDisk ViewerTests)
 for target in "${targets[@]}"
 do
   build tsan "$target" 8
