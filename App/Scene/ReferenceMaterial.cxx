@@ -21,7 +21,7 @@ namespace
 {
 
 // The quadrature needs finite numbers. A hundredth of a micrometre of such a material is opaque.
-constexpr double LargestExtinction = 1e6;
+constexpr double MostExtinction = 1e6;
 
 struct Samples
 {
@@ -115,7 +115,7 @@ OpticalProperties ReferenceMaterial::At(glm::dvec3 positionGrid, const Ray& rayG
   }
   const glm::dvec3 gradient = this->gradient(positionGrid);
   OpticalProperties properties = this->Unlit(value, this->GradientPerMm(gradient));
-  properties.extinction = std::min(properties.extinction, LargestExtinction);
+  properties.extinction = std::min(properties.extinction, MostExtinction);
   if (properties.extinction > 0.0)
   {
     properties.rgb = this->Emitted(properties.rgb, gradient, positionGrid, rayGrid);

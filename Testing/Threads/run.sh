@@ -53,7 +53,7 @@ buildTbb()
 
 setUp "${packages[@]}" "${testPackages[@]}" dpkg-dev
 buildTbb
-targets=(UnitTests TestProcessorMarching TestVoxelsOnDisk ViewerTests)
+targets=(UnitTests TestProcessorMarching TestVoxelsOnDisk ViewerTests ViewerWindowTests)
 for target in "${targets[@]}"
 do
   build tsan "$target" 8
@@ -68,7 +68,10 @@ result=0
 for target in "${targets[@]}"
 do
   step "Running $target"
-  "build/tsan/bin/$target" --gtest_brief=1 --gtest_filter="${1:-*}" || result=1
+  display=()
+  [ "$target" != ViewerWindowTests ] ||
+    display=(env QT_QPA_PLATFORM=xcb xvfb-run --auto-servernum --server-args "-screen 0 1280x800x24 -noreset")
+  "${display[@]}" "build/tsan/bin/$target" --gtest_brief=1 --gtest_filter="${1:-*}" || result=1
 done
 races=$(cat build/tsan/races.* 2>/dev/null | grep -c 'WARNING: ThreadSanitizer' || true)
 [ "$races" -eq 0 ] || fail "ThreadSanitizer reports $races races; see build/tsan/races.*"

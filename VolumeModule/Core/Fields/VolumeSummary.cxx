@@ -15,7 +15,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int Side = BrickRanges::CellsPerSide;
+constexpr int CellsOfBrick = BrickRanges::CellsPerSide;
 
 /// Extremes of the finite values of a slab.
 template <class Scalar>
@@ -97,7 +97,7 @@ void PutRanges(const BrickRanges& ofSlab, const StoredSlab& slab, BrickRanges& r
 {
   const glm::ivec3 count = ofSlab.BrickCount();
   const glm::ivec3 all = ranges.BrickCount();
-  const glm::ivec3 first = slab.first / Side;
+  const glm::ivec3 first = slab.first / CellsOfBrick;
   std::size_t brick = 0;
   for (int row = 0; row < count.y * count.z; ++row)
   {
@@ -295,7 +295,7 @@ std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type)
   double bricks = 1.0; // the product of the numbers that a forged file states may be beyond 2^64
   for (const std::int64_t voxels : level.dimensions)
   {
-    bricks *= double((std::max<std::int64_t>(voxels - 1, 1) - 1) / Side + 1);
+    bricks *= double((std::max<std::int64_t>(voxels - 1, 1) - 1) / CellsOfBrick + 1);
   }
   constexpr std::uint64_t BytesOfField = 3; // with the distances and what is visible
   const std::uint64_t bytesOfMean = ByVoxelType(type, [](auto voxel) { return sizeof(voxel); });
