@@ -4334,7 +4334,7 @@ ml</translation>
     </message>
     <message>
         <source>Place beside its patient coordinates</source>
-        <translation>Posición respecto a las coordenadas del paciente</translation>
+        <translation>Posición respecto al paciente</translation>
     </message>
     <message>
         <source>Move to the patient&apos;s left</source>
