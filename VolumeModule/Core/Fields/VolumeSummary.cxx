@@ -269,7 +269,7 @@ bool AreZero(const BrickRanges& ranges, const BrickSource::Box& box)
   const glm::ivec3 count = ranges.BrickCount();
   // The last brick has the last voxel of its far faces too.
   const auto brickOf = [&](const std::array<std::int64_t, 3>& voxel)
-  { return glm::min(glm::ivec3(voxel[0], voxel[1], voxel[2]) / Side, count - 1); };
+  { return glm::min(glm::ivec3(voxel[0], voxel[1], voxel[2]) / CellsOfBrick, count - 1); };
   const glm::ivec3 first = brickOf(box.lower);
   const glm::ivec3 last = brickOf({ box.upper[0] - 1, box.upper[1] - 1, box.upper[2] - 1 });
   const double zero = -ranges.FirstValue() / ranges.ValuePerStep();
