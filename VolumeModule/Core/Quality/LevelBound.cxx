@@ -163,18 +163,20 @@ double RefineRay(const BlockLooks& looks, double tolerance, std::vector<Segment>
     left += segments[i].contribution;
   }
   std::sort(order.begin(), order.end());
-  // The bound is at most the sum of what is left, and often less.
+  // The bound is at most the sum of what is left, and often less. Rounding may make it a little
+  // more, so that each turn takes one segment at least.
   for (auto next = order.begin(); next != order.end() && bound > tolerance;)
   {
     const double goal = std::max(tolerance, 0.5 * left);
-    for (; next != order.end() && left > goal; ++next)
+    do
     {
       Segment& segment = segments[next->second];
       left += next->first;
       segment.isOfVoxels = true;
       Take(looks.OfVoxels(segment.place), segment);
       taken[segment.place].store(1, std::memory_order_relaxed);
-    }
+      ++next;
+    } while (next != order.end() && left > goal);
     bound = BoundOf(segments);
   }
   return bound;
