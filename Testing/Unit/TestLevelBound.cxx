@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <random>
 
 using namespace varimarch;
@@ -61,16 +62,21 @@ TransferFunction Steep()
 class LevelPictures
 {
 public:
-  LevelPictures(const VoxelAt& at, const TransferFunction& look, bool isLit = false)
+  /// @param reflectance  of surfaces under a light at the eye; none without light
+  LevelPictures(const VoxelAt& at, const TransferFunction& look,
+    const std::optional<glm::dvec4>& reflectance = std::nullopt)
     : pictures({ Voxels(at), look, BoundPixels })
     , summary(SummaryOf(MemorySource<std::int16_t>(
                           VoxelType::Int16, Voxels(at), glm::ivec2(PacketPictures::Dimensions)),
         1 << 20, [](double) {}))
-    , looks(this->summary, VoxelType::Int16, this->pictures.Table(), isLit)
+    , looks(this->summary, VoxelType::Int16, this->pictures.Table(),
+        reflectance ? std::optional(glm::dot(glm::dvec3(*reflectance), glm::dvec3(1.0)))
+                    : std::nullopt)
   {
-    if (isLit)
+    if (reflectance)
     {
       this->pictures.LightFromTheEye();
+      this->pictures.scene.parameters.reflectances[0] = *reflectance;
       this->pictures.scene.rule = PacketRule::MaterialLinear;
     }
     constexpr double Side = CoarseLevel::Side;
@@ -286,11 +292,17 @@ TEST(LevelBound, HoldsForTheLevelAlone)
 
 TEST(LevelBound, HoldsUnderAnyLight)
 {
-  LevelPictures pictures(Wave, Foggy(0.4), true);
-  ByChance chance(7);
-  for (int i = 0; i < 4; ++i)
+  // The second is shinier than a surface that reflects no more than it receives.
+  for (const glm::dvec4& reflectance :
+    { glm::dvec4(0.2, 0.7, 0.1, 8.0), glm::dvec4(0.2, 0.7, 4.0, 2.0) })
   {
-    EXPECT_LE(pictures.MostBeyond(chance.Levels(pictures.Looks().Coarse())), 0.01);
+    LevelPictures pictures(Wave, Foggy(0.4), reflectance);
+    ByChance chance(7);
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_LE(pictures.MostBeyond(chance.Levels(pictures.Looks().Coarse())), 0.01)
+        << reflectance.z;
+    }
   }
 }
 

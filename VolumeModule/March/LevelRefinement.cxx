@@ -1,12 +1,15 @@
 #include "March/LevelRefinement.h"
 
 #include "Core/Look/OpticalTable.h"
+#include "Frame/Lights.h"
 #include "Readers/VoxelLayout.h"
 #include "Resources/MaterialTables.h"
 
 #include "vtkDataArray.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace varimarch
@@ -25,8 +28,37 @@ bool IsPlainComposite(const Frame& frame, bool hasGaps)
     frame.cuts.boxGrid.upper == frame.geometry.boxGrid.upper;
   const bool hasClearGaps = !hasGaps || frame.material.gapOptical.a == 0.0;
   return settings.blend == Blend::Composite && settings.functionOf == FunctionOf::Value &&
-    !settings.cubic && !settings.gradientOpacity && !settings.windowLevel && isWhole &&
-    hasClearGaps && frame.others.empty() && frame.userCode.IsEmpty();
+    !settings.cubic && !settings.gradientOpacity && !settings.windowLevel && !settings.scattering &&
+    isWhole && hasClearGaps && frame.others.empty() && frame.userCode.IsEmpty();
+}
+
+// The largest number that lights make of a colour of at most 1, on a surface that faces them all.
+// It is infinite for a lamp that is brighter the nearer it is, without a limit.
+double LitByAllLights(const Frame& frame)
+{
+  vtkRenderer* const renderer = frame.view.renderer;
+  auto [diffuse, specular] = HeadLightColorsOf(renderer);
+  const LightTexels lamps = LightTexelsOf(renderer);
+  for (int lamp = 0; lamp < lamps.distantCount + lamps.nearCount; ++lamp)
+  {
+    const glm::vec4* const texel = &lamps.texels[std::size_t(lamp) * LightTexels::PerLight];
+    const double strength = lamp < lamps.distantCount ? 1.0 : 1.0 / double(texel[3].x);
+    diffuse += strength * glm::dvec3(texel[1]);
+    specular += strength * glm::dvec3(texel[2]);
+  }
+  const glm::dvec4 reflectance = ReflectanceOf(frame.material.property, 0);
+  const glm::dvec3 lit =
+    reflectance.x * AmbientLightOf(renderer) + reflectance.y * diffuse + reflectance.z * specular;
+  return std::max({ 1.0, lit.x, lit.y, lit.z });
+}
+
+std::optional<double> BrightestOf(const Frame& frame)
+{
+  if (frame.settings.shading)
+  {
+    return LitByAllLights(frame);
+  }
+  return frame.settings.occlusion ? std::optional<double>(1.0) : std::nullopt;
 }
 
 double LargestOf(const std::vector<double>& bounds)
@@ -45,7 +77,7 @@ BlockLooks LevelInputs::Looks() const
 {
   const OpticalTable table =
     BuildOpticalTable(this->look, this->summary->smallest, this->summary->largest);
-  return BlockLooks(*this->summary, this->type, table, this->isLit);
+  return BlockLooks(*this->summary, this->type, table, this->brightest);
 }
 
 std::optional<LevelInputs> LevelInputsOf(
@@ -56,13 +88,18 @@ std::optional<LevelInputs> LevelInputsOf(
   {
     return std::nullopt;
   }
+  const std::optional<double> brightest = BrightestOf(frame);
+  if (brightest && !std::isfinite(*brightest))
+  {
+    return std::nullopt;
+  }
   const glm::dmat4 worldFromGrid(frame.geometry.worldFromGrid);
   return LevelInputs{ summary, *type,
     MaterialTablesOf(frame.material.property, frame.settings).front().transferFunction,
     frame.fingerprint,
     ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),
-    frame.geometry.boxGrid, frame.settings.shading || frame.settings.occlusion };
+    frame.geometry.boxGrid, brightest };
 }
 
 double BoundOfLevelAlone(const LevelInputs& inputs)

@@ -26,12 +26,12 @@ struct LevelInputs
   glm::ivec2 pixels;
   glm::dmat3 worldFromGrid;
   Box boxGrid;
-  bool isLit;
+  std::optional<double> brightest; ///< See BlockLooks.
 
   BlockLooks Looks() const;
   bool HasLooksOf(const LevelInputs& other) const
   {
-    return this->volumeFingerprint == other.volumeFingerprint && this->isLit == other.isLit;
+    return this->volumeFingerprint == other.volumeFingerprint && this->brightest == other.brightest;
   }
 
   /// @param endsEarlier  see LevelBoundScene

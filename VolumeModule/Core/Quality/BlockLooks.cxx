@@ -128,10 +128,10 @@ BlockLooks::Entries BlockLooks::Around(const Entries& one, const Entries& other)
   return { std::min(one.first, other.first), std::max(one.last, other.last) };
 }
 
-BlockLooks::BlockLooks(
-  const VolumeSummary& summary, VoxelType type, const OpticalTable& table, bool isLit)
+BlockLooks::BlockLooks(const VolumeSummary& summary, VoxelType type, const OpticalTable& table,
+  std::optional<double> brightest)
   : extremes(table.entries)
-  , isLit(isLit)
+  , brightest(brightest)
 {
   const glm::ivec3 bricks = summary.ranges.BrickCount();
   this->coarse.side = SideOfBlocks(bricks);
@@ -199,10 +199,10 @@ LookBetween BlockLooks::LookOf(const Entries& entries, bool hasGaps) const
 {
   LookBetween look = this->extremes.Of(entries.first, entries.last);
   look.least.a = hasGaps ? 0.0f : look.least.a;
-  if (this->isLit)
+  if (this->brightest)
   {
     look.least = { 0.0f, 0.0f, 0.0f, look.least.a };
-    look.most = { 1.0f, 1.0f, 1.0f, look.most.a };
+    look.most = glm::vec4(glm::vec3(float(*this->brightest)), look.most.a);
   }
   return look;
 }

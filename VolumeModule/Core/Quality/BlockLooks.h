@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace varimarch
@@ -39,9 +40,11 @@ private:
 class BlockLooks
 {
 public:
-  /// @param type   that of the volume, which has a coarse level
-  /// @param isLit  true if light changes colours, to any from 0 to 1
-  BlockLooks(const VolumeSummary& summary, VoxelType type, const OpticalTable& table, bool isLit);
+  /// @param type       that of the volume, which has a coarse level
+  /// @param brightest  the largest number that light makes of a colour, which may be any from 0 to
+  ///                   it; none if light changes no colours
+  BlockLooks(const VolumeSummary& summary, VoxelType type, const OpticalTable& table,
+    std::optional<double> brightest);
 
   /// Every block by the coarse level.
   const BlockLevels& Coarse() const { return this->coarse; }
@@ -90,7 +93,7 @@ private:
   LookBetween LookOf(const Entries& entries, bool hasGaps) const;
 
   EntryExtremes extremes;
-  bool isLit;
+  std::optional<double> brightest;
   glm::ivec3 lastMeans; ///< the block of the last means along each axis
   BlockLevels coarse;
   std::vector<Block> blocks;
