@@ -32,18 +32,19 @@ class RefinedLevels : public TorsoOnDisk
 protected:
   static constexpr int Side = 64;
 
-  /// A file of 16-bit voxels, Side along each axis.
+  /// A file of voxels, Side along each axis.
+  template <class Voxel = std::int16_t>
   vtkImageData* ReadVoxels(const std::function<int(int x, int y, int z)>& at)
   {
-    std::vector<std::int16_t> voxels;
+    std::vector<Voxel> voxels;
     for (int i = 0; i < Side * Side * Side; ++i)
     {
-      voxels.push_back(std::int16_t(at(i % Side, i / Side % Side, i / Side / Side)));
+      voxels.push_back(Voxel(at(i % Side, i / Side % Side, i / Side / Side)));
     }
-    const std::string path = this->folder.Write(
-      "voxels.raw", { reinterpret_cast<const char*>(voxels.data()), 2 * voxels.size() });
+    const std::string path = this->folder.Write("voxels.raw",
+      { reinterpret_cast<const char*>(voxels.data()), sizeof(Voxel) * voxels.size() });
     this->reader->SetRawDimensions(Side, Side, Side);
-    this->reader->SetRawScalarType(VTK_SHORT);
+    this->reader->SetRawScalarType(vtkTypeTraits<Voxel>::VTKTypeID());
     this->reader->SetRawSpacing(1.0, 1.0, 1.0);
     constexpr vtkIdType TooLittle = 800000;
     return this->Read(path, TooLittle);
@@ -182,6 +183,24 @@ TEST_F(RefinedLevels, ReadNothingOfOneMaterial)
   EXPECT_EQ(scene.mapper->GetRefinedBlocks(), 0);
   EXPECT_GT(scene.mapper->GetVisibleBlocks(), 0);
   EXPECT_EQ(TouchedPages(image), before);
+}
+
+// The fog is thicker from 400 to 650. A table of all values would have no entry there.
+TEST_F(RefinedLevels, TellValuesApartThatAreFarFromAFillValue)
+{
+  constexpr int Fill = 1000000000;
+  const auto waves = [](int x, int y, int z) { return x + y + z == 0 ? Fill : Waves(x, y, z); };
+  MapperScene scene(this->ReadVoxels<float>(waves));
+  UseFog(scene, 0.002, 0.002);
+  constexpr double HalfWay = 0.5;
+  constexpr double StepThere = 1.0;
+  scene.opacities->AddPoint(200.0, 0.002, HalfWay, StepThere);
+  scene.opacities->AddPoint(600.0, 0.05, HalfWay, StepThere);
+  scene.opacities->AddPoint(700.0, 0.002);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  DrawAll(scene);
+  EXPECT_GT(scene.mapper->GetRefinedBlocks(), 0);
 }
 
 TEST_F(RefinedLevels, AreVoxelsWhereNoBoundIsKnown)

@@ -4,6 +4,7 @@
 #include "Frame/Lights.h"
 #include "Readers/VoxelLayout.h"
 #include "Resources/MaterialTables.h"
+#include "Resources/ValueFocus.h"
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
@@ -76,7 +77,7 @@ std::size_t BlocksOfVoxels(const BlockLevels& levels)
 BlockLooks LevelInputs::Looks() const
 {
   const OpticalTable table =
-    BuildOpticalTable(this->look, this->summary->smallest, this->summary->largest);
+    BuildOpticalTable(this->look, this->resolved.lower, this->resolved.upper);
   return BlockLooks(*this->summary, this->type, table, this->brightest);
 }
 
@@ -94,8 +95,10 @@ std::optional<LevelInputs> LevelInputsOf(
     return std::nullopt;
   }
   const glm::dmat4 worldFromGrid(frame.geometry.worldFromGrid);
-  return LevelInputs{ summary, *type,
-    MaterialTablesOf(frame.material.property, frame.settings).front().transferFunction,
+  const TransferFunction look =
+    MaterialTablesOf(frame.material.property, frame.settings).front().transferFunction;
+  const ScalarTexels all = ScalarTexelsOf(frame.voxels.components).front();
+  return LevelInputs{ summary, *type, look, Focused(all, all, look.ChangingValues()).resolved,
     frame.fingerprint,
     ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),

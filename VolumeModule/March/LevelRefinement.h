@@ -21,6 +21,7 @@ struct LevelInputs
   std::shared_ptr<const VolumeSummary> summary;
   VoxelType type;
   TransferFunction look;
+  ValueRange resolved;                   ///< See ScalarTexels.
   std::vector<double> volumeFingerprint; ///< See VolumeFingerprint.
   PixelRays rays;
   glm::ivec2 pixels;
