@@ -93,6 +93,24 @@ void vtkVarimarchPartsMapper::CropPart(const varimarch::OwnedPart& part, vtkVolu
   mapper->SetCroppingRegionPlanes(planes);
 }
 
+// Selecting an array by its number and then by its name would modify the mapper each time.
+// @param added  the name of the array that replaces the selected one; may be empty
+void vtkVarimarchPartsMapper::SelectArray(const std::string& added, vtkVolumeMapper* mapper)
+{
+  if (!added.empty())
+  {
+    mapper->SelectScalarArray(added.c_str());
+  }
+  else if (this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME)
+  {
+    mapper->SelectScalarArray(this->ArrayName);
+  }
+  else
+  {
+    mapper->SelectScalarArray(this->ArrayId);
+  }
+}
+
 void vtkVarimarchPartsMapper::ForwardSettings(vtkVolume* volume)
 {
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
@@ -102,10 +120,7 @@ void vtkVarimarchPartsMapper::ForwardSettings(vtkVolume* volume)
     scalars.Choose(this->Parts[i].data, this, volume->GetProperty());
     mapper->SetInputDataObject(scalars.Data());
     mapper->SetScalarMode(this->ScalarMode);
-    mapper->SelectScalarArray(this->ArrayId);
-    mapper->SelectScalarArray(scalars.Name().empty() ? this->ArrayName : scalars.Name().c_str());
-    mapper->SetArrayAccessMode(
-      scalars.Name().empty() ? this->ArrayAccessMode : VTK_GET_ARRAY_BY_NAME);
+    this->SelectArray(scalars.Name(), mapper);
     this->CropPart(this->Parts[i], mapper);
     mapper->SetClippingPlanes(this->ClippingPlanes);
     mapper->SetBlendMode(this->BlendMode);

@@ -18,6 +18,7 @@
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include <memory> // For Drawers
+#include <string> // For SelectArray
 #include <vector> // For Parts
 
 class VARIMARCHPARAVIEWREPRESENTATION_NO_EXPORT vtkVarimarchPartsMapper
@@ -62,6 +63,7 @@ private:
 
   void ForwardSettings(vtkVolume* volume);
   void CropPart(const varimarch::OwnedPart& part, vtkVolumeMapper* mapper);
+  void SelectArray(const std::string& added, vtkVolumeMapper* mapper);
 
   std::vector<varimarch::OwnedPart> Parts;
   std::vector<std::unique_ptr<Drawer>> Drawers; // one for each part
