@@ -267,8 +267,13 @@ void vtkVarimarchVolumeRepresentation::AgreeOnSteps(vtkObject* caller, unsigned 
   auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
   const bool sharesProcesses =
     HasSeveralProcesses() && view && view->GetUseDistributedRenderingForRender();
-  if (!this->GetVisibility() || (!sharesProcesses && this->Mapper->GetParts().size() < 2))
+  if (!this->GetVisibility())
   {
+    return;
+  }
+  if (!sharesProcesses && this->Mapper->GetParts().size() < 2)
+  {
+    this->Mapper->SetCommonSteps(0.0, false); // it may have been one of several parts before
     return;
   }
   auto* const renderer = vtkRenderer::SafeDownCast(caller);
