@@ -54,7 +54,7 @@ std::string Markdown(const LightCostPage& page)
     side + " x " + side + ", error tolerance " + Fixed(255.0 * page.options.errorTolerance, 2) +
     " of 255, one light fixed in the world, medians of " + std::to_string(page.options.rounds) +
     " alternating rounds. Made by\n\n    " + page.commandText + "\n\nTimes without and with " +
-    feature + " [ms] and their factor, still, while the camera turns, and while " + "the " +
+    feature + " [ms] and their factor, still, while the camera turns, and while the " +
     page.options.feature.dragged +
     " is dragged; the first frame with it [ms]; and its errors [1/255] against rays with samples " +
     Fixed(FineDistanceVoxels(page.options.errorTolerance), 3) +

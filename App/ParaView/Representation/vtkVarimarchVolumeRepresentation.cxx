@@ -373,8 +373,8 @@ std::string vtkVarimarchVolumeRepresentation::Problem()
   {
     return std::string("The blend mode is ") + std::to_string(this->Mapper->GetBlendMode()) +
       ", whose value of a pixel needs the whole ray, but several processes or images have a part "
-      "of "
-      "it each: expected composite (0), isosurface (5) or slice (6), or one process and one image";
+      "of it each: expected composite (0), isosurface (5) or slice (6), or one process and one "
+      "image";
   }
   if (isDivided && this->DimsLight())
   {
