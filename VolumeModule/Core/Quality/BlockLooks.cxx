@@ -22,12 +22,19 @@ LookBetween BothOf(const LookBetween& one, const LookBetween& other)
   return { glm::min(one.least, other.least), glm::max(one.most, other.most) };
 }
 
-// Few enough blocks that every ray crosses few.
-int SideOfBlocks(const glm::ivec3& bricks)
+// Few enough blocks that every ray crosses few, and that they take little memory, however thin the
+// volume is.
+BlockLevels BlocksOf(const glm::ivec3& bricks)
 {
   constexpr double MostBlocks = 1 << 21;
-  const double all = double(bricks.x) * bricks.y * bricks.z;
-  return std::max(1, int(std::ceil(std::cbrt(all / MostBlocks))));
+  BlockLevels blocks;
+  blocks.count = bricks;
+  while (double(blocks.count.x) * blocks.count.y * blocks.count.z > MostBlocks)
+  {
+    ++blocks.side;
+    blocks.count = (bricks + blocks.side - 1) / blocks.side;
+  }
+  return blocks;
 }
 
 /// Calls visit(begin, end) for each row of a box of numbers, `first` to `last`, in an array.
@@ -132,10 +139,8 @@ BlockLooks::BlockLooks(const VolumeSummary& summary, VoxelType type, const Optic
   std::optional<double> brightest)
   : extremes(table.entries)
   , brightest(brightest)
+  , coarse(BlocksOf(summary.ranges.BrickCount()))
 {
-  const glm::ivec3 bricks = summary.ranges.BrickCount();
-  this->coarse.side = SideOfBlocks(bricks);
-  this->coarse.count = (bricks + this->coarse.side - 1) / this->coarse.side;
   constexpr double Middle = 0.5 * (CoarseLevel::Side - 1.0);
   this->lastMeans =
     glm::ivec3((double(CoarseLevel::Side) * glm::dvec3(summary.coarse.voxelCount - 1) + Middle) /
