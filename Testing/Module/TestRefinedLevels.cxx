@@ -139,6 +139,24 @@ TEST_F(RefinedLevels, BecomeBetterWithEachImageUntilTheToleranceHolds)
   EXPECT_EQ(scene.mapper->GetRefinedBlocks(), blocks) << "the tolerance holds";
 }
 
+TEST_F(RefinedLevels, HaveStepsOfTheirOwnInEachImage)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+  scene.Draw();
+  int images = 0;
+  while (scene.mapper->GetDrawnPart() < 1.0)
+  {
+    const int before = scene.mapper->GetToleranceSearches();
+    scene.Draw();
+    EXPECT_GT(scene.mapper->GetToleranceSearches(), before) << images;
+    ++images;
+  }
+  EXPECT_GT(images, 1);
+}
+
 TEST_F(RefinedLevels, BeginAgainInAnotherView)
 {
   MapperScene scene(this->ReadVoxels(Waves));

@@ -146,6 +146,7 @@ struct Frame
   /// which has the same look. Only packets draw it; shaders draw the voxels of all blocks.
   std::vector<Frame> coarser;
   std::shared_ptr<const BlockLevels> blockLevels; ///< null without a coarse level
+  int levelRound = 0; ///< tells the levels of an image from those of others of the same scene
 };
 
 }

@@ -173,10 +173,10 @@ Frame LevelOfDetail::RefinedFrame(const Frame& frame, const Frame& coarse)
     quality.budget.EarlyTermination(quality.earlyTerminationTransmittance);
   refined.coarser.front().quality = quality;
   // Other levels make another image, which needs other steps.
-  refined.fingerprint.push_back(this->refinement->Rounds());
+  refined.levelRound = this->refinement->Rounds();
   if (!refined.accumulation.fingerprint.empty())
   {
-    refined.accumulation.fingerprint.push_back(this->refinement->Rounds());
+    refined.accumulation.fingerprint.push_back(refined.levelRound);
   }
   return refined;
 }

@@ -141,7 +141,7 @@ std::vector<double> SceneInputsOf(const VolumeMarch& march)
   std::vector<double> inputs = LookFingerprint(march.frame);
   inputs.insert(inputs.end(),
     { double(march.plan.viewport.width), double(march.plan.viewport.height),
-      double(march.settings.occlusion) });
+      double(march.settings.occlusion), double(march.frame.levelRound) });
   return inputs;
 }
 
