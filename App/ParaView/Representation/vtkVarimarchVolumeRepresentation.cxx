@@ -1,10 +1,10 @@
 #include "vtkVarimarchVolumeRepresentation.h"
 
+#include "BoxesOfProcesses.h"
 #include "Core/Blocks/BoxOrder.h"
 #include "OwnedPart.h"
 #include "vtkVarimarchPartsMapper.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
@@ -12,7 +12,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutlineSource.h"
@@ -23,7 +22,6 @@
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkVolume.h"
-#include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -142,25 +140,6 @@ void vtkVarimarchVolumeRepresentation::SetOrigin(double x, double y, double z)
   this->MarkModified();
 }
 
-// The box around the parts of this process. ParaView's representation gives the view the box before
-// the volume is turned, and the view then composites the parts in a wrong order. Rounding must not
-// make boxes that touch overlap, because the view finds no order for those.
-void vtkVarimarchVolumeRepresentation::BoundsInWorld(double bounds[6])
-{
-  const vtkBoundingBox box(this->DataBounds);
-  vtkBoundingBox turned;
-  for (int corner = 0; box.IsValid() && corner < 8; ++corner)
-  {
-    double position[4] = { 0.0, 0.0, 0.0, 1.0 };
-    box.GetCorner(corner, position);
-    this->Actor->GetMatrix()->MultiplyPoint(position, position);
-    turned.AddPoint(position);
-  }
-  constexpr double Gap = 1e-6;
-  turned.ScaleAboutCenter(1.0 - Gap);
-  turned.GetBounds(bounds);
-}
-
 int vtkVarimarchVolumeRepresentation::ProcessViewRequest(
   vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output)
 {
@@ -168,7 +147,7 @@ int vtkVarimarchVolumeRepresentation::ProcessViewRequest(
   if (result && request == vtkPVView::REQUEST_UPDATE())
   {
     double bounds[6];
-    this->BoundsInWorld(bounds);
+    varimarch::TurnBounds(this->DataBounds, this->Actor->GetMatrix(), bounds);
     vtkPVRenderView::SetGeometryBounds(input, this, bounds);
   }
   return result;
@@ -302,41 +281,15 @@ void vtkVarimarchVolumeRepresentation::AgreeOnSteps(vtkObject* caller, unsigned 
     least[0], least[1] < 0.0 ? ", pre-integrated" : "");
 }
 
-// ParaView composites the pictures of processes in the order of boxes around all volumes that each
-// of them has, and finds no order for boxes that overlap.
+// All processes take part.
 void vtkVarimarchVolumeRepresentation::WarnOfOverlap(vtkRenderer* renderer)
 {
   vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
-  vtkBoundingBox own;
-  vtkCollectionSimpleIterator iterator;
-  vtkVolumeCollection* const volumes = renderer->GetVolumes();
-  for (volumes->InitTraversal(iterator); vtkVolume* volume = volumes->GetNextVolume(iterator);)
-  {
-    if (volume->GetVisibility() && volume->GetBounds())
-    {
-      own.AddBounds(volume->GetBounds());
-    }
-  }
-  double bounds[6];
-  own.GetBounds(bounds);
-  std::vector<double> all(6 * controller->GetNumberOfProcesses());
-  controller->AllGather(bounds, all.data(), 6);
-  std::vector<varimarch::Box> boxes;
-  std::vector<int> owners;
-  for (int process = 0; process < controller->GetNumberOfProcesses(); ++process)
-  {
-    const double* const box = &all[6 * process];
-    if (box[0] <= box[1])
-    {
-      boxes.push_back({ { box[0], box[2], box[4] }, { box[1], box[3], box[5] } });
-      owners.push_back(process);
-    }
-  }
-  const auto overlap = varimarch::FirstOverlap(boxes);
+  const auto overlap = varimarch::OverlappingProcesses(renderer, controller);
   if (overlap && !this->HasWarnedOfOverlap && controller->GetLocalProcessId() == 0)
   {
     vtkWarningMacro("The boxes around the volumes of the processes "
-      << owners[overlap->first] << " and " << owners[overlap->second]
+      << overlap->first << " and " << overlap->second
       << " overlap, and ParaView may lay their parts of the picture over each other in a wrong "
          "order: expected volumes that are not turned and are divided alike, or one process.");
   }

@@ -84,7 +84,6 @@ private:
   void CropToBox();
   bool DimsLight();
   std::string Problem();
-  void BoundsInWorld(double bounds[6]);
 
   vtkVarimarchPartsMapper* Mapper; // the object in VolumeMapper
   bool Cropping = false;
