@@ -2,6 +2,8 @@
 
 #include "Module/TorsoOnDisk.h"
 
+#include <vtkProperty.h>
+
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -227,6 +229,21 @@ TEST_F(RefinedLevels, AreVoxelsWhereNoBoundIsKnown)
   UseFog(scene, 0.0, 0.03);
   scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
   scene.mapper->SetBlendModeToMaximumIntensity();
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::VoxelLevel);
+  EXPECT_EQ(scene.mapper->GetDrawnPart(), 1.0);
+}
+
+TEST_F(RefinedLevels, AreVoxelsBetweenLayersOfTranslucentGeometry)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  const double middle[3] = { 0.5 * Side, 0.5 * Side, 0.5 * Side };
+  const vtkSmartPointer<vtkActor> ball = Ball(middle, 0.2 * Side);
+  ball->GetProperty()->SetOpacity(0.5);
+  scene.renderer->AddActor(ball);
+  UseDepthPeeling(scene.renderer);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::VoxelLevel);
   EXPECT_EQ(scene.mapper->GetDrawnPart(), 1.0);

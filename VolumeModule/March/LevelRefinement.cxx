@@ -24,7 +24,7 @@ bool IsPlainComposite(const Frame& frame, bool hasGaps)
 {
   const RenderSettings& settings = frame.settings;
   const bool isWhole = !settings.clipping && !settings.cropping && !settings.limitsSpan &&
-    !settings.sceneGeometry && settings.mask == Mask::None &&
+    !settings.sceneGeometry && !Peels(frame.pass.kind) && settings.mask == Mask::None &&
     frame.cuts.boxGrid.lower == frame.geometry.boxGrid.lower &&
     frame.cuts.boxGrid.upper == frame.geometry.boxGrid.upper;
   const bool hasClearGaps = !hasGaps || frame.material.gapOptical.a == 0.0;
