@@ -56,8 +56,22 @@ vtkSmartPointer<vtkImageData> OffscreenView::Bytes()
   return reader->GetOutput();
 }
 
+// Each image takes more voxels in place of the coarse level, so that bands of the first ones would
+// differ.
 vtkSmartPointer<vtkImageData> OffscreenView::FloatImage(const std::function<void(double)>& onBand)
 {
+  auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline.Mapper());
+  if (ours && ours->GetLevelOfDetail() == vtkVariationFieldVolumeMapper::RefinedLevel)
+  {
+    this->RenderAll(
+      [&](double)
+      {
+        if (onBand)
+        {
+          onBand(0.0);
+        }
+      });
+  }
   return CaptureFloatImage(this->window, this->pipeline.Renderer(), onBand);
 }
 

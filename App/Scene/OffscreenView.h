@@ -41,7 +41,8 @@ public:
   /// The last rendered frame over its background, as a byte image.
   vtkSmartPointer<vtkImageData> Bytes();
 
-  /// Renders again into a float image; see CaptureFloatImage.
+  /// Renders again into a float image; see CaptureFloatImage. A refined level is rendered by
+  /// RenderAll before.
   vtkSmartPointer<vtkImageData> FloatImage(const std::function<void(double)>& onBand = nullptr);
 
   /// The name that the OpenGL driver gives the device.

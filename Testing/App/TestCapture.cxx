@@ -1,12 +1,21 @@
+#include "Module/PhantomFiles.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/Presets.h"
 #include "Scene/ProceduralVolume.h"
 
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkMath.h>
+#include <vtkPointData.h>
+#include <vtkVariationFieldVolumeMapper.h>
+#include <vtkVolumeFileReader.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 using namespace varimarch;
 
@@ -69,6 +78,37 @@ TEST_F(Capture, AgreesWithTheWindow)
       ASSERT_NEAR(bytes->GetScalarComponentAsDouble(x, y, 0, 2), expected, 2.0);
     }
   }
+}
+
+// Images of a refined level begin with the coarse level, of which no band may be left.
+TEST(CaptureOfRefinedLevels, HasTheSameLevelsInAllBands)
+{
+  Scene scene = SmallTorso();
+  scene.look.shading.enabled = false;
+  scene.look.opacities = { { -1000.0, 0.0 }, { 1000.0, 0.05 } };
+  scene.render.level = VolumeLevel::Refined;
+  const auto torso = ProceduralVolume(std::get<ProceduralSource>(scene.volume));
+  vtkDataArray* const scalars = torso->GetPointData()->GetScalars();
+  const TemporaryFolder folder;
+  const std::string path = folder.Write("torso.raw",
+    { static_cast<const char*>(scalars->GetVoidPointer(0)),
+      std::size_t(scalars->GetNumberOfValues() * scalars->GetDataTypeSize()) });
+  vtkNew<vtkVolumeFileReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetRawDimensions(torso->GetDimensions());
+  reader->SetRawScalarType(scalars->GetDataType());
+  reader->SetRawSpacing(torso->GetSpacing());
+  constexpr vtkIdType TooLittle = 100000;
+  reader->SetMaximumHostMemory(TooLittle);
+  reader->Update();
+  OffscreenView view(scene, reader->GetOutput(), MapperKind::Varimarch);
+  const auto banded = view.FloatImage([](double) {});
+  const auto whole = view.FloatImage();
+  const auto* a = static_cast<const float*>(banded->GetScalarPointer());
+  const auto* b = static_cast<const float*>(whole->GetScalarPointer());
+  EXPECT_TRUE(std::equal(a, a + 4 * banded->GetNumberOfPoints(), b));
+  auto* const mapper = vtkVariationFieldVolumeMapper::SafeDownCast(view.Pipeline().Mapper());
+  EXPECT_EQ(mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::RefinedLevel);
 }
 
 }
