@@ -137,7 +137,8 @@ void TellOfLevel(vtkVariationFieldVolumeMapper* ours, double seconds)
 void RunRender(const RenderArguments& arguments)
 {
   CheckOutput(arguments);
-  auto [scene, volume] = LoadScene(arguments.scene);
+  auto [scene, volume] =
+    LoadScene(arguments.scene, arguments.scene.volume.input, arguments.labels.path.empty());
   const auto labels = LoadLabelsReporting(arguments.labels, volume, scene);
   const auto overlays = LoadOverlaysReporting(arguments.overlays, volume, scene);
   WarnOfMissingParts(arguments, scene, volume);

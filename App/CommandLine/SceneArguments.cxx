@@ -139,7 +139,8 @@ void OverrideSampling(const SceneArguments& arguments, RenderOptions& render)
 
 }
 
-std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const std::string& input)
+std::pair<Scene, LoadedVolume> LoadScene(
+  const SceneArguments& arguments, const std::string& input, bool mayBePreview)
 {
   const bool isScene = IsSceneFile(input);
   if (isScene)
@@ -150,7 +151,9 @@ std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const 
   scene.volume =
     isScene ? Override(arguments.volume, scene.volume) : SourceOf(arguments.volume, input);
   const bool isCoarse = arguments.level.value_or(scene.render.level) == VolumeLevel::Coarse;
-  LoadedVolume loaded = LoadVolumeReporting(scene.volume, isCoarse);
+  // Labels lie on the voxels of the volume itself.
+  LoadedVolume loaded =
+    LoadVolumeReporting(scene.volume, mayBePreview && isCoarse && !scene.labels);
   OverridePreset(arguments, ChosenPreset(arguments, loaded, isScene, scene), scene);
   OverrideLook(arguments, scene.look);
   scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;

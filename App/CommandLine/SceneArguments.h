@@ -61,9 +61,11 @@ struct SceneArguments
 
 /// Loads the scene that an input and the arguments describe, with its volume.
 /// @param input  a scene file or a volume
+/// @param mayBePreview  true to get a preview, see LoadVolume, for a coarse image without labels
 /// @throws UsageError when the arguments do not fit the input
 /// @throws std::runtime_error when a file cannot be read
-std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments, const std::string& input);
+std::pair<Scene, LoadedVolume> LoadScene(
+  const SceneArguments& arguments, const std::string& input, bool mayBePreview = false);
 
 /// Loads the scene of the arguments' own input.
 std::pair<Scene, LoadedVolume> LoadScene(const SceneArguments& arguments);
