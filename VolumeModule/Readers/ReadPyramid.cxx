@@ -206,14 +206,15 @@ LevelImage ReadLevel(
   return read;
 }
 
-/// The coarser level that serves as a preview of a level: the finest that is read within seconds.
-/// None if there is no such level.
-std::optional<std::size_t> LevelOfPreview(const PyramidForm& form, std::size_t level)
+/// The coarser level that serves as a preview of a level: the finest that is read within seconds
+/// and fits into the memory. Empty if there is no such level.
+std::optional<std::size_t> LevelOfPreview(
+  const PyramidForm& form, std::size_t level, const ReadOptions& options)
 {
-  constexpr double MostBytes = 5e8;
+  const double mostBytes = std::min(5e8, MostReadBytes(options));
   for (std::size_t coarser = level + 1; coarser < form.levels.size(); ++coarser)
   {
-    if (BytesOf(LayoutOf(form, coarser)) <= MostBytes)
+    if (BytesOf(LayoutOf(form, coarser)) <= mostBytes)
     {
       return coarser;
     }
@@ -234,7 +235,7 @@ LevelImage PagedLevel(const PyramidOrder& order,
   const SummarizedVoxels summarized = { *source, layout.scalarType, order.path,
     order.path + "." + number, source->Stamp(), mostBytes };
   std::shared_ptr<const VolumeSummary> summary = KeptSummary(summarized);
-  const std::optional<std::size_t> coarser = LevelOfPreview(pyramid->Form(), level);
+  const std::optional<std::size_t> coarser = LevelOfPreview(pyramid->Form(), level, order.options);
   if (!summary && order.options.preview && coarser)
   {
     order.options.preview->sentence =
