@@ -144,6 +144,16 @@ TEST_F(Reports, StateTheSettingsWithoutPatientData)
   EXPECT_FALSE(text.contains("head"));
 }
 
+TEST_F(Reports, PromiseNoErrorForACoarseCopy)
+{
+  Study copy = *this->model.CurrentStudy();
+  copy.volume.isPreview = true;
+  const QString text = ScanReportHtml(this->model.CurrentScene(), copy);
+  EXPECT_TRUE(text.contains("32 x 28 x 20, a coarse copy"));
+  EXPECT_TRUE(text.contains("not bounded"));
+  EXPECT_FALSE(text.contains("at most 1/64"));
+}
+
 TEST_F(Reports, FillOnePageAndKeepTheLinesOfABoxApart)
 {
   this->model.Edit(ScenePart::Measures, "measure",

@@ -61,9 +61,9 @@ QString LightText(const Shading& shading)
     : ReportTexts::tr("none: unshaded colours");
 }
 
-QString ErrorText(const RenderOptions& render)
+QString ErrorText(const RenderOptions& render, const LoadedVolume& volume)
 {
-  return render.errorTolerance > 0.0
+  return render.errorTolerance > 0.0 && !volume.isPreview
     ? ReportTexts::tr(
         "at most 1/%1 of full brightness in any colour of 99.9 % of the pixels, estimated")
         .arg(int(std::lround(1.0 / render.errorTolerance)))
@@ -76,17 +76,18 @@ QString VolumeRows(const LoadedVolume& volume)
   const double* const spacing = volume.image->GetSpacing();
   const QString modality =
     volume.modality.empty() ? ReportTexts::tr("unknown") : QString::fromStdString(volume.modality);
+  const QString voxels = QString("%1 x %2 x %3").arg(count[0]).arg(count[1]).arg(count[2]);
   return Row(ReportTexts::tr("Modality"), modality) +
     Row(ReportTexts::tr("Voxels"),
-      QString("%1 x %2 x %3").arg(count[0]).arg(count[1]).arg(count[2])) +
+      volume.isPreview ? ReportTexts::tr("%1, a coarse copy of the volume").arg(voxels) : voxels) +
     Row(ReportTexts::tr("Voxel spacing"),
       QString("%1 x %2 x %3 mm")
         .arg(NumberText(spacing[0], 3), NumberText(spacing[1], 3), NumberText(spacing[2], 3)));
 }
 
-QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
+QString SettingRows(const Scene& scene, const Study& study)
 {
-  return Row(ReportTexts::tr("Look"), NameOf(scene.look, statistics)) +
+  return Row(ReportTexts::tr("Look"), NameOf(scene.look, study.statistics)) +
     Row(ReportTexts::tr("Blend mode"),
       QString::fromStdString(NameOf(BlendNames(), scene.look.blend))) +
     Row(ReportTexts::tr("Opacity per"), NumberText(scene.look.opacityUnitDistanceMm, 2) + " mm") +
@@ -97,7 +98,7 @@ QString SettingRows(const Scene& scene, const ImageStatistics& statistics)
     Row(ReportTexts::tr("Scissors cuts"), QString::number(scene.cuts.scissors.size())) +
     Row(ReportTexts::tr("Table and clothes"),
       scene.cuts.bodyOnly ? ReportTexts::tr("removed") : ReportTexts::tr("shown")) +
-    Row(ReportTexts::tr("Promised error"), ErrorText(scene.render));
+    Row(ReportTexts::tr("Promised error"), ErrorText(scene.render, study.volume));
 }
 
 // Names of measurements are left out; they may contain a patient's name. The words of annotations
@@ -247,9 +248,8 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
                         "<h3>%3</h3><table>%4</table><h3>%5</h3><table>%6</table>"
                         "<h3>%7</h3><table>%8</table>%11")
     .arg(ReportTexts::tr("Volume report"), OriginHtml(), ReportTexts::tr("Volume"),
-      VolumeRows(study.volume), ReportTexts::tr("Rendering settings"),
-      SettingRows(scene, study.statistics), ReportTexts::tr("Measurements"),
-      MeasureRows(scene, study))
+      VolumeRows(study.volume), ReportTexts::tr("Rendering settings"), SettingRows(scene, study),
+      ReportTexts::tr("Measurements"), MeasureRows(scene, study))
     .arg(WidthOfPicture)
     .arg(WidthOfSlice)
     .arg(SegmentTables(scene, study) + KeyImagesHtml(scene.keyImages));
