@@ -226,9 +226,11 @@ void SegmentsPanel::ShowStatistics(int row)
   const bool isNarrow = study.statistics.Largest() - study.statistics.Smallest() < 10.0;
   const auto valueText = [&](double value, int decimals)
   { return region.voxels > 0 ? NumberText(value, isNarrow ? 3 : decimals) : QString(); };
-  const std::pair<Column, QString> texts[] = { { Volume, NumberText(ml, ml < 100.0 ? 2 : 0) },
-    { Mean, valueText(region.mean, 1) }, { Smallest, valueText(region.smallest, 0) },
-    { Largest, valueText(region.largest, 0) } };
+  const std::pair<Column, QString> texts[] = { { Column::Volume,
+                                                 NumberText(ml, ml < 100.0 ? 2 : 0) },
+    { Column::Mean, valueText(region.mean, 1) },
+    { Column::Smallest, valueText(region.smallest, 0) },
+    { Column::Largest, valueText(region.largest, 0) } };
   for (const auto& [column, text] : texts)
   {
     QTableWidgetItem* const item = this->Item(row, column);

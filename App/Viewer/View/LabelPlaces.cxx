@@ -12,12 +12,13 @@ namespace varimarch
 namespace
 {
 
-constexpr double Margin = 2.0; // logical pixels
+constexpr double MarginOfLabel = 2.0; // logical pixels
 
 }
 
 LabelPlaces::LabelPlaces(const QSizeF& image, const std::vector<QRectF>& newTaken)
-  : inside(QRectF(QPointF(), image).adjusted(Margin, Margin, -Margin, -Margin))
+  : inside(QRectF(QPointF(), image)
+             .adjusted(MarginOfLabel, MarginOfLabel, -MarginOfLabel, -MarginOfLabel))
   , taken(newTaken)
 {
 }
