@@ -20,7 +20,7 @@ struct PictureNumbers
   double drawnPart = 1.0; ///< finished fraction of all these frames, [0, 1]
   double errorTolerance = 0.0;
   bool keepsTolerance = true; ///< false if single pixels may exceed the error tolerance
-  bool isCoarse = false;      ///< true for the coarse level of a volume in its file
+  bool isCoarse = false;      ///< true for a coarse level or copy of a volume in its file
   /// A bound of the error of coarse voxels in an image that still takes finer ones.
   std::optional<double> refinedError = {};
 };

@@ -144,6 +144,7 @@ private:
   void TakePicture();
   void GiveUpThread();
   std::optional<PictureNumbers> Numbers(); ///< empty if this view uses VTK's mapper
+  std::optional<PictureNumbers> NumbersOfMapper();
   void Count(double seconds, bool refines);
   void Refine();
   void ContinueStill();

@@ -156,6 +156,16 @@ QSize VolumeView::PicturePixels() const
 
 std::optional<PictureNumbers> VolumeView::Numbers()
 {
+  std::optional<PictureNumbers> numbers = this->NumbersOfMapper();
+  if (numbers && this->model->CurrentStudy()->volume.isPreview)
+  {
+    numbers->isCoarse = true;
+  }
+  return numbers;
+}
+
+std::optional<PictureNumbers> VolumeView::NumbersOfMapper()
+{
   if (this->IsDrawnInThread())
   {
     const ThreadPicture* const picture = this->thread->Last();
