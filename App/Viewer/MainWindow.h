@@ -33,15 +33,15 @@ class StartPage;
 class TimeBar;
 class TimeCurve;
 class TimeSeries;
+struct TourStep;
 class ViewLayout;
 class ViewMenu;
-struct TourStep;
 class WarningBar;
 
 /// The main window: menus, views, panels, and the loading of volumes. MainWindowFiles.cxx opens
-/// files, MainWindowArchives.cxx lists scans and their attributes, MainWindowSegments.cxx shows
-/// segmentations, MainWindowVolumes.cxx adds further scans, MainWindowSessions.cxx keeps the user's
-/// work, MainWindowTools.cxx sets up the tools.
+/// files, MainWindowLoaded.cxx shows them, MainWindowArchives.cxx lists scans and their attributes,
+/// MainWindowSegments.cxx shows segmentations, MainWindowVolumes.cxx adds further scans,
+/// MainWindowSessions.cxx keeps the user's work, MainWindowTools.cxx sets up the tools.
 class MainWindow : public QMainWindow
 {
   Q_OBJECT
@@ -154,6 +154,7 @@ private:
   void ShowSaved(const QString& path);
   void ListRecentScans();
   void ShowAbout();
+  void OpenSample(const VolumeSource& sample);
   void ShowTour();
   std::vector<TourStep> TourSteps();
   void ForgetRequest();
@@ -190,7 +191,6 @@ private:
   void AskForSeries(const FileSource& source, const std::vector<SeriesSummary>& series);
   void ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void ShowPreview(const VolumeSource& source, const std::shared_ptr<const Study>& study);
-  bool ShowsPreviewOf(const VolumeSource& source) const;
   bool TakeLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void KeepInMind(const FileSource& file, const Study& study);
   void ShowSuggestion(const Study& study);
@@ -209,6 +209,7 @@ private:
   bool restoresAutosaved = false; ///< the scene being loaded is the autosaved one
   bool addsScan = false;          ///< true while a further scan is being loaded
   bool isDropped = false;         ///< the file being loaded may be a segmentation of the scan
+  bool isPreviewed = false;       ///< a coarse copy of the volume being loaded was shown
   std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
   std::vector<std::shared_ptr<const PrivateFolder>> fetched; ///< scans of archives, until the end
   QString savedWork;                                         ///< the work that is in a file

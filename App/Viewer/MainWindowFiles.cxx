@@ -4,11 +4,9 @@
 
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/Log.h"
-#include "Viewer/Model/PresetTitles.h"
 #include "Viewer/Open/FileKind.h"
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
-#include "Viewer/Open/WarningBar.h"
 #include "Viewer/SaveDialog.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/PictureExport.h"
@@ -18,10 +16,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
 #include <QStatusBar>
@@ -30,8 +25,6 @@
 
 #include <vtkVolumeFileReader.h>
 
-#include <utility>
-
 namespace varimarch
 {
 
@@ -39,15 +32,6 @@ namespace
 {
 
 const QString AskAtStartKey = QStringLiteral("open/askAtStart");
-
-void LogVolume(const LoadedVolume& volume)
-{
-  const int* const count = volume.image->GetDimensions();
-  LogEvent("volume opened",
-    { { "columns", double(count[0]) }, { "rows", double(count[1]) }, { "slices", double(count[2]) },
-      { "bytes per value", double(volume.image->GetScalarSize()) },
-      { "warnings", double(volume.warnings.size()) } });
-}
 
 }
 
@@ -117,6 +101,7 @@ void MainWindow::ForgetRequest()
   this->exchanges = false;
   this->restoresAutosaved = false;
   this->isDropped = false;
+  this->isPreviewed = false;
   this->addsScan = false;
   this->segmentations.clear();
 }
@@ -134,6 +119,12 @@ void MainWindow::Load(const VolumeSource& source, const QString& series,
   const auto* const file = std::get_if<FileSource>(&source);
   this->BeginLoading(file ? QString::fromStdString(file->path) : QString());
   this->loader.Load(source, series, labels, overlays);
+}
+
+void MainWindow::OpenSample(const VolumeSource& sample)
+{
+  this->ForgetRequest();
+  this->Load(sample);
 }
 
 void MainWindow::AskForLayout(const QString& path)
@@ -251,157 +242,6 @@ void MainWindow::ExportPicture()
       this->ShowSaved(dialog.Path());
     }
   }
-}
-
-// A coarse copy, until the volume itself has been read, or for good if that is cancelled.
-void MainWindow::ShowPreview(const VolumeSource& source, const std::shared_ptr<const Study>& study)
-{
-  if (this->exchanges || this->addsScan || this->restored)
-  {
-    return;
-  }
-  LogVolume(study->volume);
-  this->model.Open(source, study);
-  this->savedWork = this->CurrentWork();
-  this->statusBar()->showMessage(
-    tr("A coarse copy is shown until the volume has been read for the first time"));
-}
-
-bool MainWindow::ShowsPreviewOf(const VolumeSource& source) const
-{
-  const std::shared_ptr<const Study> shown = this->model.CurrentStudy();
-  const auto* const file = std::get_if<FileSource>(&source);
-  const auto* const shownFile = std::get_if<FileSource>(&this->model.CurrentScene().volume);
-  return shown && shown->volume.isPreview && file && shownFile && file->path == shownFile->path;
-}
-
-// Returns false if the user keeps the scan that is shown.
-bool MainWindow::TakeLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
-{
-  const bool completes = !this->restored && this->ShowsPreviewOf(source);
-  const bool losesLabels = completes && this->model.HasUnsavedLabels();
-  if ((std::exchange(this->isDropped, false) || losesLabels) && !this->MayLeaveScan())
-  {
-    return false;
-  }
-  if (this->restored)
-  {
-    this->restored->volume = source;
-    this->ForgetAutosavedFile(*this->restored);
-    this->model.Restore(*this->restored, study);
-    this->restored.reset();
-  }
-  else if (completes)
-  {
-    this->model.Complete(study);
-  }
-  else
-  {
-    this->model.Open(source, study);
-  }
-  return true;
-}
-
-void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
-{
-  LogVolume(study->volume);
-  this->ShowLoading(false);
-  if (std::exchange(this->exchanges, false))
-  {
-    this->Exchange(source, study);
-    return;
-  }
-  if (std::exchange(this->addsScan, false))
-  {
-    this->ShowAdded(source, study);
-    return;
-  }
-  if (!this->TakeLoaded(source, study))
-  {
-    return;
-  }
-  this->savedWork = this->restoresAutosaved ? QString() : this->CurrentWork();
-  if (const auto* const file = std::get_if<FileSource>(&source))
-  {
-    this->KeepInMind(*file, *study);
-  }
-  if (study->labels)
-  {
-    this->statusBar()->showMessage(tr("Segments: %1").arg(study->labels->segments.size()));
-    this->RaiseSegments();
-    return;
-  }
-  this->ShowSuggestion(*study);
-}
-
-// Says why the scan has its first look.
-void MainWindow::ShowSuggestion(const Study& study)
-{
-  this->statusBar()->showMessage(
-    tr("Look \"%1\": %2. Press R to restore it.")
-      .arg(PresetTitle(this->model.CurrentScene().look.name),
-        SuggestionText(SuggestedPreset(study.volume, study.statistics))));
-}
-
-void MainWindow::ShowWarnings()
-{
-  const Study& study = *this->model.CurrentStudy();
-  const SliceLayout slices = study.volume.slices;
-  const QString remedy = slices == SliceLayout::Irregular ? tr("Rectify")
-    : slices == SliceLayout::Rectified                    ? tr("Show as scanned")
-                                                          : QString();
-  this->warnings->Show(WarningBar::TextsOf(study), remedy);
-}
-
-// Segments are read anew for the other grid, so they are saved before.
-void MainWindow::ToggleRectified()
-{
-  if (this->model.HasUnsavedLabels() && !this->SaveSegmentation(0))
-  {
-    return;
-  }
-  VolumeSource source = this->model.CurrentScene().volume;
-  auto& file = std::get<FileSource>(source);
-  file.rectified = this->model.CurrentStudy()->volume.slices != SliceLayout::Rectified;
-  const std::shared_ptr<const Study> known = this->model.ExchangedStudy();
-  // Labels lie on the grid of one form of the scan.
-  const std::optional<SceneLabels>& labels = this->model.CurrentScene().labels;
-  if (known && !labels && known->volume.slices != this->model.CurrentStudy()->volume.slices)
-  {
-    this->Exchange(source, known);
-  }
-  else if (!this->loader.IsLoading())
-  {
-    this->exchanges = true;
-    this->Load(source, {}, labels);
-  }
-}
-
-void MainWindow::Exchange(const VolumeSource& source, const std::shared_ptr<const Study>& form)
-{
-  const bool isRectified = form->volume.slices == SliceLayout::Rectified;
-  this->model.Exchange(
-    source, form, isRectified ? tr("rectify slices") : tr("show slices as scanned"));
-  this->statusBar()->clearMessage();
-}
-
-void MainWindow::ShowFailure(const QString& reason)
-{
-  LogEvent("opening failed");
-  emit this->OpeningFailed(reason);
-  this->ShowLoading(false);
-  this->statusBar()->showMessage(reason);
-  auto* const box =
-    new QMessageBox(QMessageBox::Warning, tr("Cannot open"), reason, QMessageBox::Ok, this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
-}
-
-void MainWindow::ShowLoading(bool loading)
-{
-  this->progress->setVisible(loading);
-  this->progress->setValue(0);
-  this->cancel->setVisible(loading);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -2,6 +2,7 @@
 
 #include "Answers.h"
 #include "Scene/SceneFile.h"
+#include "SmallStudy.h"
 #include "TorsoWindow.h"
 
 #include <QAction>
@@ -70,6 +71,22 @@ TEST_F(Leaving, AsksBeforeMeasurementsAreLost)
   this->window.close();
   EXPECT_FALSE(this->window.isVisible());
   EXPECT_EQ(discard.Questions(), 1) << "nothing is lost at the end";
+}
+
+TEST_F(Leaving, AsksAboutWhatWasMeasuredInACoarseCopy)
+{
+  const VolumeSource source = FileSource{ this->Path("large.nrrd").toStdString(), std::nullopt };
+  Study copy = *SmallStudy();
+  copy.volume.isPreview = true;
+  emit this->window.Loader()->Previewed(source, std::make_shared<const Study>(copy));
+  ASSERT_TRUE(this->Model()->CurrentStudy()->volume.isPreview);
+  this->Measure();
+  emit this->window.Loader()->Loaded(source, SmallStudy());
+  EXPECT_FALSE(this->Model()->CurrentStudy()->volume.isPreview);
+  EXPECT_EQ(this->Model()->CurrentScene().measures.size(), 1u);
+  const Answers discard(QMessageBox::Discard, {});
+  this->window.close();
+  EXPECT_EQ(discard.Questions(), 1);
 }
 
 TEST_F(Leaving, SavesASessionThatOpensAgainAndAsksNoMore)

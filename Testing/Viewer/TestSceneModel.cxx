@@ -1,8 +1,12 @@
 // The model: every edit is an undo step, a gesture is a single step, and a new volume clears them.
 
 #include "LabelledStudy.h"
+#include "Scene/Presets.h"
 
 #include <QSignalSpy>
+
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 
 #include <gtest/gtest.h>
 
@@ -145,6 +149,27 @@ TEST_F(OpenedModel, TheWholeVolumeReplacesItsCoarseCopyAndKeepsTheRest)
   EXPECT_EQ(this->model.CurrentScene().look.name, look.name);
   EXPECT_EQ(changes.last().first().value<ScenePart>(), ScenePart::Volume);
   EXPECT_FALSE(this->model.History()->canUndo()) << "steps have the coarse copy";
+}
+
+TEST_F(OpenedModel, TheWholeVolumeHasThePresetOfItsOwnValuesAndTheLabelsOfItsFile)
+{
+  this->model.Open(FileSource{ "labels.nrrd", std::nullopt }, SmallStudy());
+  this->model.SetPreset(BuiltInPreset("mr-head"), "a look in parts of the range");
+  Study whole = *LabelledStudy();
+  whole.volume.image = vtkSmartPointer<vtkImageData>::New();
+  whole.volume.image->DeepCopy(this->model.CurrentStudy()->volume.image);
+  vtkDataArray* const values = whole.volume.image->GetPointData()->GetScalars();
+  for (vtkIdType voxel = 0; voxel < values->GetNumberOfTuples(); ++voxel)
+  {
+    values->SetComponent(voxel, 0, 2.0 * values->GetComponent(voxel, 0));
+  }
+  whole.statistics = ImageStatistics(whole.volume.image);
+  ASSERT_FALSE(IsBuiltInLook(this->model.CurrentScene().look, whole.statistics));
+  this->model.Complete(std::make_shared<const Study>(whole));
+  EXPECT_TRUE(IsBuiltInLook(this->model.CurrentScene().look, whole.statistics));
+  ASSERT_TRUE(this->model.CurrentScene().labels);
+  EXPECT_EQ(this->model.CurrentScene().labels->path, "labels.nrrd");
+  EXPECT_EQ(this->model.CurrentScene().labels->segments.size(), 2u);
 }
 
 TEST_F(OpenedModel, AnotherVolumeForgetsTheStepsOfTheLast)

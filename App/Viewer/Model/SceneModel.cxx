@@ -36,6 +36,14 @@ bool AreSame(Scene a, Scene b)
   return TakePoints(a.measures) == TakePoints(b.measures) && SceneText(a) == SceneText(b);
 }
 
+// The labels that a volume has in its own file; empty if it has none.
+std::optional<SceneLabels> LabelsOfFile(const VolumeSource& source, const Study& opened)
+{
+  const auto* const file = std::get_if<FileSource>(&source);
+  return opened.labels && file ? std::optional(SceneLabels{ file->path, file->series })
+                               : std::nullopt;
+}
+
 }
 
 // Scenes are small, so a step stores the whole scene before and after; no edit needs undo code of
@@ -103,10 +111,9 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
   first.volume = source;
   first.render = this->state.scene.render;
   TakePreset(BuiltInPreset(SuggestedPreset(opened->volume, opened->statistics).name), first);
-  const auto* const file = std::get_if<FileSource>(&source);
-  if (opened->labels && file)
+  first.labels = LabelsOfFile(source, *opened);
+  if (first.labels)
   {
-    first.labels = { file->path, file->series };
     first.look = LookOfLabelsOnly();
   }
   this->Restore(first, std::move(opened));
@@ -114,9 +121,15 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
 
 void SceneModel::Complete(std::shared_ptr<const Study> whole)
 {
+  const Study& copy = *this->state.study;
   Scene kept = this->state.scene;
-  kept.cuts.box = BoxInOther(kept.cuts.box, this->state.study->volume.image, whole->volume.image);
-  kept.labels.reset();
+  kept.cuts.box = BoxInOther(kept.cuts.box, copy.volume.image, whole->volume.image);
+  kept.labels = LabelsOfFile(kept.volume, *whole);
+  // The values of a copy have other percentiles.
+  if (IsBuiltInLook(kept.look, copy.statistics))
+  {
+    kept.look = BuiltInPreset(kept.look.name).look;
+  }
   this->Restore(kept, std::move(whole));
 }
 

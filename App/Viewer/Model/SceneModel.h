@@ -73,8 +73,8 @@ public:
   /// Replaces the volume, chooses a preset that suits it, and clears the undo history.
   void Open(const VolumeSource& source, std::shared_ptr<const Study> opened);
 
-  /// Replaces a coarse copy of a volume by the volume, and keeps everything else but labels. The
-  /// undo history is cleared.
+  /// Replaces a coarse copy of a volume by the volume, and keeps everything else but the labels of
+  /// its voxels. The undo history is cleared.
   void Complete(std::shared_ptr<const Study> whole);
 
   /// Replaces the volume and the scene by a saved one.

@@ -105,14 +105,16 @@ const SeriesSummary* SeriesToOpen(const std::vector<SeriesSummary>& series, cons
   return series.size() == 1 ? &series.front() : OnlySeries(series, std::not_fn(IsSegmentation));
 }
 
-// Reads a volume. Its coarse copy, if it has one, is shown before.
+// Reads a volume. Its coarse copy, if it has one, is shown before, as a volume of one time: each
+// other time would be read whole.
 LoadedVolume ReadShowing(
   const VolumeSource& source, const LoadObserver& observe, const ShowPreview& show)
 {
   LoadedVolume volume = LoadWithinMemory(source, observe, bool(show));
   if (volume.isPreview)
   {
-    show(source, StudyOf(std::move(volume), {}, std::nullopt, observe));
+    volume.times = {};
+    show(source, std::make_shared<const Study>(StudyWithoutLabels(std::move(volume))));
     volume = LoadWithinMemory(source, observe);
   }
   return volume;
