@@ -166,8 +166,7 @@ void MainWindow::MakeStartPage()
   connect(this->startPage, &StartPage::FolderWanted, this, &MainWindow::ChooseFolder);
   connect(this->startPage, &StartPage::ScanWanted, this, &MainWindow::Open);
   connect(this->startPage, &StartPage::TourWanted, this, &MainWindow::ShowTour);
-  connect(this->startPage, &StartPage::SampleWanted, this,
-    [this](const VolumeSource& sample) { this->Load(sample); });
+  connect(this->startPage, &StartPage::SampleWanted, this, &MainWindow::OpenSample);
 }
 
 void MainWindow::MakeTimes()

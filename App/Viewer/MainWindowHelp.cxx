@@ -40,6 +40,23 @@ QString Notice()
     "diagnose, to plan or to guide a treatment.");
 }
 
+std::function<QWidget*()> Place(QWidget* widget)
+{
+  return [widget] { return widget; };
+}
+
+// A panel, in front of those that share its place.
+std::function<QWidget*()> Panel(MainWindow* window, const char* name)
+{
+  return [window, name]() -> QWidget*
+  {
+    auto* const dock = window->findChild<QDockWidget*>(name);
+    dock->show();
+    dock->raise();
+    return dock;
+  };
+}
+
 }
 
 void MainWindow::ShowNoticeOnce()
@@ -103,12 +120,12 @@ void MainWindow::MakeHelpMenu()
   menu->addAction(tr("&About Varimarch"), this, &MainWindow::ShowAbout);
 }
 
-// Without a scan the tour shows the phantom.
+// The tour shows the phantom if there is no scan, and none is being loaded.
 void MainWindow::ShowTour()
 {
-  if (!this->model.CurrentStudy())
+  if (!this->model.CurrentStudy() && !this->loader.IsLoading())
   {
-    this->Load(SampleTorso());
+    this->OpenSample(SampleTorso());
   }
   if (auto* const shown = this->findChild<Tour*>())
   {
@@ -119,51 +136,36 @@ void MainWindow::ShowTour()
 
 std::vector<TourStep> MainWindow::TourSteps()
 {
-  const auto widget = [](QWidget* target) { return [target] { return target; }; };
-  const auto panel = [this](const char* name)
-  {
-    return [this, name]() -> QWidget*
-    {
-      auto* const dock = this->findChild<QDockWidget*>(name);
-      dock->show();
-      dock->raise();
-      return dock;
-    };
-  };
   return {
     { tr("The volume"),
       tr("Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to "
-         "come "
-         "nearer. A double-click shows it alone, another one all views again."),
-      widget(this->view) },
+         "come nearer. A double-click shows it alone, another one all views again."),
+      Place(this->view) },
     { tr("Slices"),
       tr("The wheel goes through the slices. Drag the cross to move all three, its arms to tilt "
-         "them, "
-         "and the right button for brightness and contrast. Numbers choose a usual window."),
-      widget(this->sliceViews.front()) },
+         "them, and drag with the right button for brightness and contrast. Number keys choose a "
+         "usual window."),
+      Place(this->sliceViews.front()) },
     { tr("Looks"),
-      tr("Each picture is this scan with another look. Click one; Ctrl+Z takes it back, as it does "
+      tr("Each image is this scan with another look. Click one; Ctrl+Z takes it back, as it does "
          "every edit."),
-      panel("presets") },
+      Panel(this, "presets") },
     { tr("Transfer function"),
-      tr(
-        "The curve says how opaque each value is, over the histogram of the scan. Drag its points, "
-        "click to add one, and double-click a point for its numbers."),
-      panel("look") },
+      tr("The curve says how opaque each value is, over the histogram of the scan. Drag its "
+         "points, click to add one, and double-click a point for its numbers."),
+      Panel(this, "look") },
     { tr("Cut away"),
       tr("Remove the table with one click, drag a box or a plane in the volume, or cut with the "
          "scissors of the tool bar."),
-      panel("cuts") },
+      Panel(this, "cuts") },
     { tr("Measurements"),
       tr("Choose a measurement in the tool bar and drag in a slice or in the volume. All of them "
-         "are "
-         "listed here, and stand in reports."),
-      panel("measures") },
+         "are listed here and in reports."),
+      Panel(this, "measures") },
     { tr("Everything else"),
-      tr("Ctrl+K finds any command by a word, and F1 lists the mouse and the keys. The menu File "
-         "keeps "
-         "sessions, images and reports."),
-      widget(this->menuBar()) },
+      tr("Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The "
+         "menu File saves sessions, images and reports."),
+      Place(this->menuBar()) },
   };
 }
 

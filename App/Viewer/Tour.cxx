@@ -116,6 +116,10 @@ void Tour::Show(int step)
 
 void Tour::PlaceFrame()
 {
+  if (!this->target)
+  {
+    return; // the window ends
+  }
   QWidget* const window = this->parentWidget();
   const QPoint corner = this->target->mapTo(window, QPoint(0, 0));
   this->frame->setGeometry(QRect(corner, this->target->size())

@@ -2,6 +2,7 @@
 #define Varimarch_Viewer_Tour_h
 
 #include <QDialog>
+#include <QPointer>
 #include <QString>
 
 #include <functional>
@@ -17,7 +18,7 @@ namespace varimarch
 struct TourStep
 {
   QString title;
-  QString text;                     ///< what to try there
+  QString text;                     ///< says what can be tried there
   std::function<QWidget*()> target; ///< makes the place visible, and returns it
 };
 
@@ -45,7 +46,7 @@ private:
 
   std::vector<TourStep> steps;
   int current = 0;
-  QWidget* target = nullptr;
+  QPointer<QWidget> target; ///< the place that is shown
   Frame* frame;
   QLabel* title;
   QLabel* text;

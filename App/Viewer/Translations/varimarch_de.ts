@@ -620,6 +620,10 @@ Masken nicht unterstützt</translation>
         <translation>Schnitte mit der Schere</translation>
     </message>
     <message>
+        <source>%1, a coarse copy of the volume</source>
+        <translation>%1, eine grobe Kopie des Volumens</translation>
+    </message>
+    <message>
         <source>Promised error</source>
         <translation>Zugesagter Fehler</translation>
     </message>
@@ -2688,15 +2692,15 @@ Masken nicht unterstützt</translation>
         <translation>Schnitte</translation>
     </message>
     <message>
-        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and the right button for brightness and contrast. Numbers choose a usual window.</source>
-        <translation>Das Rad blättert durch die Schnitte. Das Fadenkreuz zu ziehen bewegt alle drei, seine Arme kippen sie, und die rechte Taste ändert Helligkeit und Kontrast. Ziffern wählen ein übliches Fenster.</translation>
+        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and drag with the right button for brightness and contrast. Number keys choose a usual window.</source>
+        <translation>Das Rad blättert durch die Schnitte. Das Fadenkreuz zu ziehen bewegt alle drei, seine Arme kippen sie, und Ziehen mit der rechten Taste ändert Helligkeit und Kontrast. Zifferntasten wählen ein übliches Fenster.</translation>
     </message>
     <message>
         <source>Looks</source>
         <translation>Darstellungen</translation>
     </message>
     <message>
-        <source>Each picture is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
+        <source>Each image is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
         <translation>Jedes Bild ist diese Aufnahme in einer anderen Darstellung. Ein Klick wählt sie; Strg+Z nimmt sie zurück, wie jede Änderung.</translation>
     </message>
     <message>
@@ -2712,7 +2716,7 @@ Masken nicht unterstützt</translation>
         <translation>Den Tisch mit einem Klick entfernen, einen Quader oder eine Ebene im Volumen ziehen, oder mit der Schere der Werkzeugleiste schneiden.</translation>
     </message>
     <message>
-        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here, and stand in reports.</source>
+        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here and in reports.</source>
         <translation>Eine Messung in der Werkzeugleiste wählen und in einem Schnitt oder im Volumen ziehen. Alle stehen hier in einer Liste und in Berichten.</translation>
     </message>
     <message>
@@ -2720,8 +2724,8 @@ Masken nicht unterstützt</translation>
         <translation>Alles andere</translation>
     </message>
     <message>
-        <source>Ctrl+K finds any command by a word, and F1 lists the mouse and the keys. The menu File keeps sessions, images and reports.</source>
-        <translation>Strg+K findet jeden Befehl durch ein Wort, und F1 zeigt Maus und Tasten. Das Menü Datei speichert Sitzungen, Bilder und Berichte.</translation>
+        <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
+        <translation>Strg+K findet jeden Befehl durch ein Wort, und F1 zeigt, was Maus und Tasten tun. Das Menü Datei speichert Sitzungen, Bilder und Berichte.</translation>
     </message>
 </context>
 <context>

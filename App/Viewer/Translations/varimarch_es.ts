@@ -620,6 +620,10 @@ no admite máscaras</translation>
         <translation>Cortes con tijeras</translation>
     </message>
     <message>
+        <source>%1, a coarse copy of the volume</source>
+        <translation>%1, una copia aproximada del volumen</translation>
+    </message>
+    <message>
         <source>Promised error</source>
         <translation>Error prometido</translation>
     </message>
@@ -2688,15 +2692,15 @@ no admite máscaras</translation>
         <translation>Cortes</translation>
     </message>
     <message>
-        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and the right button for brightness and contrast. Numbers choose a usual window.</source>
-        <translation>La rueda recorre los cortes. Arrastre la cruz para mover los tres, sus brazos para inclinarlos y el botón derecho para el brillo y el contraste. Los números eligen una ventana habitual.</translation>
+        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and drag with the right button for brightness and contrast. Number keys choose a usual window.</source>
+        <translation>La rueda recorre los cortes. Arrastre la cruz para mover los tres, sus brazos para inclinarlos y, con el botón derecho, para el brillo y el contraste. Las teclas numéricas eligen una ventana habitual.</translation>
     </message>
     <message>
         <source>Looks</source>
         <translation>Aspectos</translation>
     </message>
     <message>
-        <source>Each picture is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
+        <source>Each image is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
         <translation>Cada imagen es este estudio con otro aspecto. Haga clic en una; Ctrl+Z lo deshace, como todo cambio.</translation>
     </message>
     <message>
@@ -2712,7 +2716,7 @@ no admite máscaras</translation>
         <translation>Quite la mesa con un clic, arrastre una caja o un plano en el volumen, o corte con las tijeras de la barra de herramientas.</translation>
     </message>
     <message>
-        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here, and stand in reports.</source>
+        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here and in reports.</source>
         <translation>Elija una medición en la barra de herramientas y arrastre en un corte o en el volumen. Todas figuran aquí en una lista y en los informes.</translation>
     </message>
     <message>
@@ -2720,8 +2724,8 @@ no admite máscaras</translation>
         <translation>Todo lo demás</translation>
     </message>
     <message>
-        <source>Ctrl+K finds any command by a word, and F1 lists the mouse and the keys. The menu File keeps sessions, images and reports.</source>
-        <translation>Ctrl+K encuentra cualquier orden por una palabra y F1 muestra el ratón y las teclas. El menú Archivo guarda sesiones, imágenes e informes.</translation>
+        <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
+        <translation>Ctrl+K encuentra cualquier orden por una palabra y F1 muestra qué hacen el ratón y las teclas. El menú Archivo guarda sesiones, imágenes e informes.</translation>
     </message>
 </context>
 <context>
