@@ -46,7 +46,7 @@ void VolumeLoader::Task::Show(const VolumeSource& source, const std::shared_ptr<
   {
     const auto show = [to = this->loader, task = this->shared_from_this(), source, study]
     {
-      if (to->task == task)
+      if (to->task == task && !task->stop)
       {
         emit to->Previewed(source, study);
       }
