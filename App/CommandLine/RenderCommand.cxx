@@ -154,7 +154,8 @@ void RunRender(const RenderArguments& arguments)
     repeatSeconds.push_back(view.Render());
   }
   ThrowIfVtkReportedError();
-  WritePicture(view.Bytes(), { scene.render, arguments.renderer }, arguments.outputPath);
+  WritePicture(view.Bytes(), { scene.render, arguments.renderer, {}, {}, volume.isPreview },
+    arguments.outputPath);
 
   nlohmann::ordered_json results = ResultsOf(arguments.commandText, volume);
   results["look"] = scene.look.name;

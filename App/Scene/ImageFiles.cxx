@@ -37,9 +37,12 @@ std::string EncodedPng(vtkImageData* bytePicture, const std::string& scene)
 std::string DerivationOf(const PictureOrigin& origin)
 {
   const RenderOptions& render = origin.render;
+  const bool hasTolerance =
+    IsOurs(origin.mapper) && !render.HasSampleDistance() && render.errorTolerance > 0.0;
+  const bool isCoarse = origin.isPreview || render.level == VolumeLevel::Coarse;
   std::ostringstream text;
   text << "Volume rendering by Varimarch, not for diagnostic use. ";
-  if (IsOurs(origin.mapper) && !render.HasSampleDistance() && render.errorTolerance > 0.0)
+  if (hasTolerance && !isCoarse)
   {
     text << "Error tolerance of a colour channel: " << render.errorTolerance
          << " of full brightness.";

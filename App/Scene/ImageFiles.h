@@ -30,6 +30,7 @@ struct PictureOrigin
   MapperKind mapper = MapperKind::Varimarch;
   std::string scene = {}; ///< the scene as text, for a PNG's entry "varimarch-scene"; may be empty
   CaptureIdentity identity = {}; ///< for a DICOM file; usually empty
+  bool isPreview = false;        ///< true for the image of a coarse copy of a volume
 };
 
 /// Composites a float image over a background and rounds it to bytes.

@@ -116,6 +116,24 @@ TEST(SecondaryCapture, HasTheAttributesOfItsKindAndNoneOfAPatient)
   }
 }
 
+TEST(SecondaryCapture, PromisesNoErrorOfCoarseVoxels)
+{
+  PictureOrigin ofCopy;
+  ofCopy.render.errorTolerance = 0.25;
+  ofCopy.isPreview = true;
+  PictureOrigin ofLevel;
+  ofLevel.render.errorTolerance = 0.25;
+  ofLevel.render.level = VolumeLevel::Coarse;
+  for (const PictureOrigin& origin : { ofCopy, ofLevel })
+  {
+    const File file("coarse.dcm");
+    WritePicture(Picture(), origin, file.path);
+    const std::string text =
+      Read(file.path)->GetMetaData()->Get(vtkDICOMTag(0x0008, 0x2111)).AsString();
+    EXPECT_NE(text.find("The error is not bounded"), std::string::npos) << text;
+  }
+}
+
 // PS3.5 6.2: texts have even lengths by a space, UIDs by a zero.
 TEST(SecondaryCapture, PadsUidsWithZeros)
 {

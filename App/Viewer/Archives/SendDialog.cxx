@@ -153,6 +153,7 @@ void SendDialog::Send()
     const auto* const file = std::get_if<FileSource>(&scene.volume);
     Parcel parcel = { picture, { scene.render, MapperKind::Varimarch }, {}, {},
       this->model->CurrentStudy()->volume };
+    parcel.origin.isPreview = parcel.volume.isPreview;
     parcel.volume.image = SharedCopy(parcel.volume);
     if (this->identity->isChecked() && file)
     {

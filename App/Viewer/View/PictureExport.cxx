@@ -239,7 +239,9 @@ void ExportDialog::Export()
         this->progress->repaint();
       });
     WritePicture(BytesOfImage(picture),
-      { scene.render, MapperKind::Varimarch, picture.text("varimarch-scene").toStdString() }, file);
+      { scene.render, MapperKind::Varimarch, picture.text("varimarch-scene").toStdString(), {},
+        study->volume.isPreview },
+      file);
     this->accept();
   }
   catch (const std::exception& problem)
