@@ -59,7 +59,7 @@ TimesCost CostOfTimes(const Scene& scene, const LoadedVolume& volume, int times,
     pipeline.SetImage(images[std::size_t(frame % times)]);
     ofNew.push_back(1000.0 * view.Render());
     ofFields.push_back(1000.0 * mapper->GetFieldBuildSeconds());
-    if (frame == times)
+    if (frame == std::min(times, frames))
     {
       cost.residentMegabytesAtFirst = ResidentMegabytes();
     }

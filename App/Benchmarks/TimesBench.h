@@ -16,7 +16,8 @@ struct TimesCost
   double stillMs = 0.0; ///< median time of a frame of the same voxels from another side
   double newMs = 0.0;   ///< median time of a frame of new voxels
   double fieldMs = 0.0; ///< median time for the field of new voxels, a part of the former
-  double residentMegabytesAtFirst = 0.0; ///< memory of the process when each time was drawn once
+  double residentMegabytesAtFirst =
+    0.0; ///< memory of the process when each time, or frame, was drawn once
   double residentMegabytesAtEnd = 0.0;
 };
 
