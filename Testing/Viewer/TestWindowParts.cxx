@@ -171,4 +171,9 @@ TEST_F(Window, IsShownByATour)
   next->click();
   EXPECT_TRUE(QTest::qWaitFor([&] { return tour.isNull(); }, MostMilliseconds));
   EXPECT_FALSE(this->window.findChild<QWidget*>("tourFrame"));
+  this->window.findChild<QAction*>("showTour")->trigger();
+  const QPointer<QDialog> again = this->window.findChild<QDialog*>("tour");
+  ASSERT_TRUE(again);
+  QTest::keyClick(again, Qt::Key_Escape);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return again.isNull(); }, MostMilliseconds));
 }
