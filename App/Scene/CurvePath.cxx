@@ -18,12 +18,15 @@ namespace
 
 constexpr int PiecesPerSpan = 32; // straight pieces between two given points
 
-// The pieces between two points need coordinates that differ, so the points must not be so close
-// that few digits of theirs do.
-bool AreDistinct(const glm::dvec3& a, const glm::dvec3& b)
+// The pieces between two given points need coordinates that differ, so the points must not be so
+// close that few digits of theirs do.
+constexpr double SmallestSpan = 1e-9;
+constexpr double Rounding = 1e-13; // differences that say nothing about a direction
+
+/// @param smallest  distance that does not count, as a part of the coordinates
+bool AreDistinct(const glm::dvec3& a, const glm::dvec3& b, double smallest)
 {
-  constexpr double SmallestPart = 1e-9;
-  return glm::distance(a, b) > SmallestPart * (1.0 + glm::length(a));
+  return glm::distance(a, b) > smallest * (1.0 + glm::length(a));
 }
 
 std::vector<glm::dvec3> DistinctPoints(const std::vector<std::array<double, 3>>& pointsMm)
@@ -31,7 +34,7 @@ std::vector<glm::dvec3> DistinctPoints(const std::vector<std::array<double, 3>>&
   std::vector<glm::dvec3> points;
   for (const std::array<double, 3>& point : pointsMm)
   {
-    if (points.empty() || AreDistinct(points.back(), VectorOf(point)))
+    if (points.empty() || AreDistinct(points.back(), VectorOf(point), SmallestSpan))
     {
       points.push_back(VectorOf(point));
     }
@@ -124,7 +127,8 @@ CurvePath::CurvePath(const std::vector<std::array<double, 3>>& pointsMm)
 CurvePath CurvePath::Stretched(double turnDegrees) const
 {
   const glm::dvec3 chord = this->points.back() - this->points.front();
-  const glm::dvec3 axis = glm::length(chord) > 0.0 ? glm::normalize(chord) : this->along.front();
+  const bool isOpen = AreDistinct(this->points.front(), this->points.back(), SmallestSpan);
+  const glm::dvec3 axis = isOpen ? glm::normalize(chord) : this->along.front();
   const glm::dvec3 across = glm::angleAxis(glm::radians(turnDegrees), axis) * FirstAcross(axis);
   double least = glm::dot(this->points.front(), across);
   double most = least;
@@ -155,21 +159,23 @@ void CurvePath::FindLengths()
   }
 }
 
-// A curve may return the way it came, and a stretched one may rest.
+// A curve may return the way it came, and a stretched one may rest, but for rounding.
 void CurvePath::FindAlong()
 {
   const int last = int(this->points.size()) - 1;
-  const auto chordAt = [&](int i)
-  { return this->points[std::min(i + 1, last)] - this->points[std::max(i - 1, 0)]; };
+  const auto before = [&](int i) { return this->points[std::max(i - 1, 0)]; };
+  const auto behind = [&](int i) { return this->points[std::min(i + 1, last)]; };
+  const auto moves = [&](int i) { return AreDistinct(before(i), behind(i), Rounding); };
   int first = 0;
-  while (first < last && glm::length(chordAt(first)) == 0.0)
+  while (first < last && !moves(first))
   {
     ++first;
   }
   for (int i = 0; i <= last; ++i)
   {
-    const glm::dvec3 chord = chordAt(std::max(i, first));
-    this->along.push_back(glm::length(chord) > 0.0 ? glm::normalize(chord) : this->along.back());
+    const int at = std::max(i, first);
+    this->along.push_back(
+      at == first || moves(at) ? glm::normalize(behind(at) - before(at)) : this->along.back());
   }
 }
 

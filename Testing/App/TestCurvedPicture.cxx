@@ -305,14 +305,21 @@ TEST(StretchedCurve, HasTheLengthOfACurveAcrossItsDirection)
   EXPECT_NEAR(circle.Stretched(90.0).LengthMm(), ArcRadiusMm * std::sqrt(2.0), 0.1) << "the chord";
 }
 
+// It rests where the curve runs along the direction across, here for its first and its last 10 mm.
 TEST(StretchedCurve, MayRestAndReturn)
 {
-  const CurvePath upAndDown({ { 0, 0, 0 }, { 0, 0, 10 }, { 10, 0, 10 }, { 10, 0, 0 } });
+  const CurvePath upAndDown({ { 0.1, 0, 0.1 }, { 0.1, 0, 5.1 }, { 0.1, 0, 10.1 }, { 10.1, 0, 10.1 },
+    { 10.1, 0, 5.1 }, { 10.1, 0, 0.1 } });
   const CurvePath stretched = upAndDown.Stretched(0.0);
-  for (double distanceMm = 0.0; distanceMm <= stretched.LengthMm(); distanceMm += 1.0)
+  ASSERT_LT(stretched.LengthMm(), 20.0);
+  std::vector<double> distancesMm = stretched.LengthsMm();
+  distancesMm.push_back(stretched.LengthMm() + 1.0);
+  for (const double distanceMm : distancesMm)
   {
     const CurvePath::Place place = stretched.At(distanceMm, 0.0);
-    EXPECT_TRUE(std::isfinite(place.pointMm.x) && std::isfinite(place.along.x)) << distanceMm;
+    EXPECT_NEAR(place.pointMm.z, stretched.Points().front().z, 1e-9) << distanceMm;
+    EXPECT_NEAR(std::abs(place.along.x), 1.0, 1e-6) << distanceMm;
+    EXPECT_NEAR(place.across.z, 1.0, 1e-9) << distanceMm;
   }
 }
 
