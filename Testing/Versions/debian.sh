@@ -5,7 +5,7 @@
 # them: "trixie" has VTK 9.3, "sid" has 9.6 in 2026. The release is installed by debootstrap in the
 # folder build/debian-SUITE, or in that of the environment variable VARIMARCH_DEBIAN, with 3 GB of
 # packages, which takes about 10 minutes. Needs root, because it changes into that folder. What run.sh
-# builds is in build/vtk-VERSION. The exit code is 1 if anything fails.
+# builds is in build/vtk-VERSION. The exit code is not 0 if anything fails.
 set -euo pipefail
 [ $# -gt 0 ] || { sed -n '2,/^set/s/^# \{0,1\}//p' "$0" | grep -v '^set'; exit 2; }
 suite=$1
@@ -16,7 +16,8 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 setUp debootstrap
 root=${VARIMARCH_DEBIAN:-$PWD/build/debian-$suite}
 step "Debian $suite in $root"
-if [ ! -e "$root/usr/bin/apt-get" ]
+# debootstrap removes its own folder when it is done.
+if [ ! -e "$root/usr/bin/apt-get" ] || [ -e "$root/debootstrap" ]
 then
   requireFreeMegabytes 5000 "$(dirname "$root")" "Debian $suite"
   asRoot debootstrap --variant=minbase "$suite" "$root" http://deb.debian.org/debian \
@@ -28,12 +29,13 @@ fi
 asRoot mkdir -p "$root/varimarch"
 # shellcheck disable=SC2016
 asRoot unshare --mount bash -c '
+  set -euo pipefail
   root=$1
   shift
   mount --bind "$PWD" "$root/varimarch"
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
-  cp /etc/resolv.conf "$root/etc/resolv.conf"
+  cp --remove-destination /etc/resolv.conf "$root/etc/resolv.conf"
   exec chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin HOME=/root LC_ALL=C.UTF-8 \
     DEBIAN_FRONTEND=noninteractive bash -c "
       set -euo pipefail

@@ -3,7 +3,7 @@
 #
 # Builds the mapper, the plugin and their tests with a VTK, and runs them. VTK_FOLDER is one in which
 # VTK was built, or a prefix in which it is installed; it needs the modules that the head of compile.sh
-# names, and FiltersSources. The files are in build/vtk-VERSION. The exit code is 1 if anything fails.
+# names, and FiltersSources. The files are in build/vtk-VERSION. The exit code is not 0 if anything fails.
 # The readers and the programs need libraries that are built for Debian's VTK, and are left out.
 set -euo pipefail
 [ $# -gt 0 ] || { sed -n '2,/^set/s/^# \{0,1\}//p' "$0" | grep -v '^set'; exit 2; }
