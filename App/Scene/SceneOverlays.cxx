@@ -142,11 +142,6 @@ void SceneOverlays::Set(const std::vector<OverlaidVolume>& overlays,
 {
   std::vector<Part> wanted;
   std::vector<Part> ofLabels;
-  if (firstSegments.labels)
-  {
-    ofLabels.push_back({ firstSegments.numbers,
-      PropertyOf(*firstSegments.labels, firstSegments.segments, firstSegments.shading), {}, true });
-  }
   for (std::size_t i = 0; i < overlays.size() && CanOverlay(this->kind); ++i)
   {
     const OverlaidVolume& overlay = overlays[i];
@@ -164,8 +159,15 @@ void SceneOverlays::Set(const std::vector<OverlaidVolume>& overlays,
           overlay.placement, true });
     }
   }
-  for (auto part = ofLabels.begin();
-       !wanted.empty() && part != ofLabels.end() && wanted.size() + 1 < MostVolumes; ++part)
+  if (!wanted.empty() && firstSegments.labels)
+  {
+    ofLabels.insert(ofLabels.begin(),
+      { firstSegments.numbers,
+        PropertyOf(*firstSegments.labels, firstSegments.segments, firstSegments.shading), {},
+        true });
+  }
+  for (auto part = ofLabels.begin(); part != ofLabels.end() && wanted.size() + 1 < MostVolumes;
+       ++part)
   {
     wanted.push_back(*part);
   }
