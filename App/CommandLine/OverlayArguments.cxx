@@ -13,6 +13,13 @@ namespace varimarch
 namespace
 {
 
+// Volumes of scenes may have no name.
+std::string NameOf(const OverlaidVolume& overlay)
+{
+  const auto* const file = std::get_if<FileSource>(&overlay.source);
+  return overlay.name.empty() ? (file ? file->path : "a further volume") : overlay.name;
+}
+
 // A volume that has been placed by hand or by registration has its place whatever its file says.
 void WarnOfOtherSpace(
   const LoadedVolume& first, const LoadedVolume& volume, const OverlaidVolume& overlay)
@@ -22,7 +29,7 @@ void WarnOfOtherSpace(
   {
     return;
   }
-  PrintMessage("warning: " + overlay.name +
+  PrintMessage("warning: " + NameOf(overlay) +
     (space == CommonSpace::Different
         ? " has another frame of reference than the first volume, so it may lie in the wrong place"
         : ": the files do not say whether it is in the same space as the first volume; it is "

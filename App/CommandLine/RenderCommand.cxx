@@ -16,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
@@ -26,10 +27,26 @@ namespace varimarch
 namespace
 {
 
+bool AreDrawnTogether(const RenderArguments& arguments, const Scene& scene)
+{
+  return CanOverlay(arguments.renderer) &&
+    std::any_of(scene.overlays.begin(), scene.overlays.end(),
+      [](const OverlaidVolume& overlay) { return overlay.visible; });
+}
+
+// Labels of several volumes are volumes themselves.
 void WarnOfMissingLabels(
   const RenderArguments& arguments, const Scene& scene, const LoadedVolume& volume)
 {
-  if (scene.labels && !CanDrawLabels(arguments.renderer, scene.look.blend, volume.image))
+  if (AreDrawnTogether(arguments, scene))
+  {
+    if (!AreAllSegmentsDrawn(scene))
+    {
+      PrintMessage("warning: not all labels are drawn: expected at most " +
+        std::to_string(MostVolumes) + " volumes, of which each with labels counts twice");
+    }
+  }
+  else if (scene.labels && !CanDrawLabels(arguments.renderer, scene.look.blend, volume.image))
   {
     PrintMessage(
       "warning: the labels are not drawn: expected the blend mode composite, a volume of "

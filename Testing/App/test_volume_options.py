@@ -123,6 +123,30 @@ def overlays(folder):
     assert "expected at most 4 volumes together with the first, found 5" in errors, errors
 
 
+def labels_of_overlays(folder):
+    """Draws the segments of each volume, and warns of those for which no place is left."""
+    nrrd(folder / "scan.nrrd", [0] * 512, (8, 8, 8))
+    nrrd(folder / "half.nrrd", [i % 8 // 4 for i in range(512)], (8, 8, 8))
+    bare = {"volume": {"file": "scan.nrrd"}, "look": "mr-head"}
+    labelled = {**bare, "labels": {"file": "half.nrrd"}}
+
+    def draw(scene, *options):
+        (folder / "scene.json").write_text(json.dumps(scene))
+        _, errors = run("render", folder / "scene.json", "-o", folder / "a.png", "--size", "48x48",
+                        *options)
+        return (folder / "a.png").read_bytes(), errors
+
+    without, errors = draw({**bare, "overlays": [bare]})
+    assert "scan.nrrd: the files do not say whether it is in the same space" in errors, errors
+    of_overlay, _ = draw({**bare, "overlays": [labelled]})
+    of_first, _ = draw({**labelled, "overlays": [bare]})
+    assert of_overlay != without != of_first
+    _, errors = draw({**labelled, "overlays": [labelled]}, "--blend", "maximum")
+    assert "labels are" not in errors, errors
+    _, errors = draw({**labelled, "overlays": [labelled, bare]})
+    assert "not all labels are drawn: expected at most 4 volumes" in errors, errors
+
+
 def labels(folder):
     """Draws segments over their scan, lists them, and says how a segmentation gets its scan."""
     scan, segments = folder / "scan.nrrd", folder / "organs.seg.nrrd"
@@ -317,5 +341,6 @@ def times(folder):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
-        {"series": series, "raw": raw, "labels": labels, "overlays": overlays, "rectify": rectify,
-         "on_disk": on_disk, "times": times}[sys.argv[2]](pathlib.Path(name))
+        {"series": series, "raw": raw, "labels": labels, "overlays": overlays,
+         "labels_of_overlays": labels_of_overlays, "rectify": rectify, "on_disk": on_disk,
+         "times": times}[sys.argv[2]](pathlib.Path(name))
