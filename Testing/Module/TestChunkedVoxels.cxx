@@ -2,6 +2,7 @@
 // memory.
 
 #include "Module/MapperScene.h"
+#include "Module/PagesInMemory.h"
 #include "Module/VoxelsInChunks.h"
 #include "Support/ExpectedVtkErrors.h"
 
@@ -9,7 +10,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -25,25 +25,6 @@ using namespace varimarch;
 
 namespace
 {
-
-/// The number of pages of memory that are there, of those in which an image's voxels begin.
-std::size_t PagesThere(vtkImageData* image)
-{
-  constexpr std::uint64_t IsPresent = 1ull << 63; // a bit of /proc/self/pagemap
-  const auto pageBytes = std::size_t(sysconf(_SC_PAGESIZE));
-  const auto first = reinterpret_cast<std::uintptr_t>(image->GetScalarPointer()) / pageBytes;
-  std::vector<std::uint64_t> entries(
-    (std::size_t(image->GetNumberOfPoints()) * std::size_t(image->GetScalarSize()) - 1) /
-      pageBytes +
-    1);
-  const int map = open("/proc/self/pagemap", O_RDONLY | O_CLOEXEC);
-  const auto place = off_t(first * sizeof(entries[0]));
-  EXPECT_EQ(pread(map, entries.data(), entries.size() * sizeof(entries[0]), place),
-    ssize_t(entries.size() * sizeof(entries[0])));
-  close(map);
-  return std::size_t(std::count_if(
-    entries.begin(), entries.end(), [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
-}
 
 TEST_F(VoxelsInChunks, AreThoseOfTheChunks)
 {
@@ -186,9 +167,12 @@ TEST_F(VoxelsInChunks, OfPagesOfZerosStayWithoutMemory)
     // Pages that were dropped are read again, those of zeros are there. The newest units stay.
     EXPECT_TRUE(std::equal(Voxels(needle), Voxels(needle) + count, Voxels(image)));
     std::this_thread::sleep_for(std::chrono::milliseconds(50)); // long enough for some drops
-    const std::size_t pages = std::size_t(count) * sizeof(short) / std::size_t(getpagesize());
-    EXPECT_GE(PagesThere(image), pages - std::size_t(even.size[2]));
+    const auto pageBytes = std::size_t(getpagesize());
+    const std::size_t pages = std::size_t(count) * sizeof(short) / pageBytes;
+    const auto others = std::size_t(even.size[2]);
+    EXPECT_GE(PagesThere(image), pages - others);
     EXPECT_LT(PagesThere(image), pages);
+    EXPECT_LT(MemoryOfMapping(image), others * pageBytes);
   }
   // A page of zeros is written, and the unit that it is in dropped and read again.
   const vtkIdType pageBehind = Middle(even, 0) + 8 * even.size[0];

@@ -1,16 +1,13 @@
 // Volumes in their file that are drawn by coarse voxels, except where the image needs theirs.
 
+#include "Module/PagesInMemory.h"
 #include "Module/TorsoOnDisk.h"
 
 #include <vtkProperty.h>
 
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <vector>
 
@@ -75,22 +72,6 @@ protected:
     return drawn;
   }
 };
-
-/// Pages of voxels that this process has touched.
-int TouchedPages(vtkImageData* image)
-{
-  const std::uint64_t page = std::uint64_t(sysconf(_SC_PAGESIZE));
-  const auto first = std::uint64_t(reinterpret_cast<std::uintptr_t>(image->GetScalarPointer()));
-  const auto bytes = std::uint64_t(image->GetNumberOfPoints()) * sizeof(std::int16_t);
-  std::vector<std::uint64_t> entries((first + bytes - 1) / page - first / page + 1);
-  std::FILE* const map = std::fopen("/proc/self/pagemap", "rb");
-  std::fseek(map, long(first / page * sizeof(entries[0])), SEEK_SET);
-  EXPECT_EQ(std::fread(entries.data(), sizeof(entries[0]), entries.size(), map), entries.size());
-  std::fclose(map);
-  constexpr std::uint64_t IsPresent = std::uint64_t(1) << 63;
-  return int(std::count_if(
-    entries.begin(), entries.end(), [](std::uint64_t entry) { return (entry & IsPresent) != 0; }));
-}
 
 int Waves(int x, int y, int z)
 {
@@ -182,14 +163,14 @@ TEST_F(RefinedLevels, ReadOnlyWhatTheImageNeeds)
   vtkImageData* const image = this->ReadVoxels(ball);
   MapperScene scene(image);
   UseFog(scene, 0.0, 0.02);
-  const int before = TouchedPages(image);
+  const std::size_t before = PagesThere(image);
   const std::vector<float> refined = DrawAll(scene);
-  const int touched = TouchedPages(image) - before;
+  const std::size_t touched = PagesThere(image) - before;
   EXPECT_LT(5 * scene.mapper->GetRefinedBlocks(), scene.mapper->GetVisibleBlocks());
   scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::VoxelLevel);
   EXPECT_LE(LargestDifference(refined, scene.Draw()), 1.0 / 128.0 + Steps);
-  const int all = TouchedPages(image) - before;
-  EXPECT_GT(touched, 0);
+  const std::size_t all = PagesThere(image) - before;
+  EXPECT_GT(touched, 0u);
   EXPECT_LT(2 * touched, all);
 }
 
@@ -198,11 +179,11 @@ TEST_F(RefinedLevels, ReadNothingOfOneMaterial)
   vtkImageData* const image = this->ReadVoxels([](int, int, int) { return 300; });
   MapperScene scene(image);
   UseFog(scene, 0.0, 0.05);
-  const int before = TouchedPages(image);
+  const std::size_t before = PagesThere(image);
   DrawAll(scene);
   EXPECT_EQ(scene.mapper->GetRefinedBlocks(), 0);
   EXPECT_GT(scene.mapper->GetVisibleBlocks(), 0);
-  EXPECT_EQ(TouchedPages(image), before);
+  EXPECT_EQ(PagesThere(image), before);
 }
 
 // The fog is thicker from 400 to 650. A table of all values would have no entry there.
