@@ -17,8 +17,8 @@ namespace varimarch
 
 /// The voxels of a volume in chunks as an image in the address space. Threads read a unit of them
 /// when one of its pages is touched, and whoever touches it waits. Pages of zeros need no memory
-/// and are never dropped, so that they may be written without notice. Of a unit with another page
-/// that was written all stays in memory.
+/// and are never dropped, so that they may be written without notice. A unit of which another page
+/// was written stays in memory as a whole.
 ///
 /// Voxels that cannot be read are 0; Problem() then says why.
 class ChunkedVoxels : public PagedVoxels
@@ -54,10 +54,10 @@ private:
   struct Unit
   {
     State state = State::Missing;
-    bool isWritten = false;   ///< true if a page is, other than one of zeros
-    std::uint64_t readAt = 0; ///< time of the steady clock
-    std::size_t droppableBytes = 0;
-    std::vector<bool> areZeros; ///< for each page, true if it was put there as zeros
+    bool isWritten = false;         ///< true if a page was, other than one of zeros
+    std::uint64_t readAt = 0;       ///< time of the steady clock
+    std::size_t droppableBytes = 0; ///< memory of its pages that are not of zeros
+    std::vector<bool> areZeros;     ///< for each page, true if it was put there as zeros
   };
 
   /// The pages of a unit in one of its slices.
@@ -86,7 +86,7 @@ private:
   VoxelUnits units;
   std::optional<PageFaults> faults;
   mutable std::mutex mutex; ///< held to change states, to drop pages, and for the problem
-  std::size_t unitsToKeep;  ///< the number of the newest units that are not dropped
+  std::size_t unitsToKeep;  ///< so many of the newest units are not dropped
   std::vector<Unit> states; ///< the bytes and pages of a unit belong to the thread that reads it
   std::string problem;
   std::vector<std::thread> servers;

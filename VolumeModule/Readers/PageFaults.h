@@ -11,9 +11,9 @@ namespace varimarch
 /// Addresses whose pages a thread of this process provides when another touches them, by Linux's
 /// userfaultfd(2). A thread that touches a page which is not there waits until it is put there.
 ///
-/// Pages that were put there report their first write. The addresses are missing in a process that
-/// is forked. System calls that are given addresses whose page is not there fail, unless the user
-/// may let them wait (vm.unprivileged_userfaultfd).
+/// Pages of Put() report their first write, those of PutZeros() do not. The addresses are missing
+/// in a process that is forked. System calls that are given addresses whose page is not there fail,
+/// unless the user may let them wait (vm.unprivileged_userfaultfd).
 class PageFaults
 {
 public:
