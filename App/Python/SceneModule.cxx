@@ -174,7 +174,8 @@ std::shared_ptr<const LabelMap> LabelsOver(vtkImageData* volume, const GivenLabe
 
 using Overlays = std::vector<OverlayVoxels>;
 
-// The images of a Python sequence; empty with a Python error if it holds something else.
+// The volumes of a Python sequence, without labels; empty with a Python error if it holds something
+// else.
 std::optional<Overlays> OverlaysOf(PyObject* sequence)
 {
   Overlays overlays;

@@ -14,7 +14,7 @@ namespace varimarch
 
 /// A volume that is straightened along a curve: the curve runs through the middle row from left to
 /// right, and each column shows the line across it. Both have the same scale, so that distances
-/// along the curve and across it are right; others are not, except along a stretched curve.
+/// along the curve and across it are right; others are right along a stretched curve only.
 struct CurvedRequest
 {
   double mmPerPixel; ///< > 0
