@@ -19,11 +19,11 @@ public:
   /// @param pointsMm  at least one; a point at the place of the one before is left out
   explicit CurvePath(const std::vector<std::array<double, 3>>& pointsMm);
 
-  /// The curve moved into a plane along the direction across its chord, which then lies across
-  /// every place of it. The picture along it is the stretched one of A. Kanitsar and others ("CPR -
-  /// curved planar reformation", 2002): that of the surface that a line of this direction sweeps
-  /// along the curve, in which all distances within the surface are right. Points() are as many as
-  /// here.
+  /// The curve with all points moved into a plane, along a direction that is perpendicular to its
+  /// chord and is then `across` at each place. A picture along it is the stretched one of
+  /// A. Kanitsar and others ("CPR - curved planar reformation", 2002): it shows the surface that a
+  /// line of this direction sweeps along this curve, and all distances within the surface are
+  /// right. Each point becomes one point.
   /// @param turnDegrees  turns the direction about the chord
   CurvePath Stretched(double turnDegrees) const;
 

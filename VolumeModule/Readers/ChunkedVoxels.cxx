@@ -382,7 +382,7 @@ void ChunkedVoxels::PutPages(const Pages& pages, const std::vector<char>& bytes,
   EachRun(pages.count, kindOf, put);
 }
 
-// They stay, as all pages of zeros do.
+// Nothing of such a unit is dropped.
 void ChunkedVoxels::PutZeros(std::size_t unit)
 {
   this->states[unit].droppableBytes = 0;
