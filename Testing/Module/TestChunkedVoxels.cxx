@@ -155,6 +155,43 @@ TEST_F(VoxelsInChunks, ThatWereWrittenStay)
   }
 }
 
+// Each thread writes to voxels of its own, in pages that others read and that are dropped.
+TEST_F(VoxelsInChunks, ThatThreadsWriteStayWhileOthersAreDropped)
+{
+  constexpr int Threads = 4;
+  constexpr int AccessesPerWrite = 25;
+  const vtkSmartPointer<vtkImageData> torso = Torso(uneven);
+  vtkImageData* const image = this->Read(this->WriteZarr(torso, uneven));
+  ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+  const vtkIdType count = torso->GetNumberOfPoints();
+  auto* const expected = static_cast<short*>(torso->GetScalarPointer());
+  auto* const voxels = static_cast<volatile short*>(image->GetScalarPointer());
+  std::array<int, Threads> wrong = {};
+  const auto use = [&](int thread)
+  {
+    std::mt19937 random{ unsigned(thread) };
+    std::uniform_int_distribution<vtkIdType> places(0, count / Threads - 1);
+    for (int i = 1; i <= 10 * AccessesPerWrite; ++i)
+    {
+      const vtkIdType place = Threads * places(random) + thread;
+      if (i % AccessesPerWrite == 0)
+      {
+        expected[place] = short(10000 + i);
+        voxels[place] = expected[place];
+      }
+      wrong[thread] += voxels[place] == expected[place] ? 0 : 1;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int i = 0; i < Threads; ++i)
+  {
+    threads.emplace_back(use, i);
+  }
+  std::for_each(threads.begin(), threads.end(), [](std::thread& thread) { thread.join(); });
+  EXPECT_EQ(wrong, (std::array<int, Threads>{}));
+  EXPECT_TRUE(std::equal(expected, expected + count, Voxels(image)));
+}
+
 TEST_F(VoxelsInChunks, OfPagesOfZerosStayWithoutMemory)
 {
   const vtkSmartPointer<vtkImageData> needle = Needle(even);
