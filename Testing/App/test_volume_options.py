@@ -343,4 +343,4 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as name:
         {"series": series, "raw": raw, "labels": labels, "overlays": overlays,
          "labels_of_overlays": labels_of_overlays, "rectify": rectify, "on_disk": on_disk,
-         "times": times}[sys.argv[2]](pathlib.Path(name))
+         "coarse_copy": coarse_copy, "times": times}[sys.argv[2]](pathlib.Path(name))
