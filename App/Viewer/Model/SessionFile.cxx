@@ -207,8 +207,7 @@ void Autosave::SaveSegments(int volume)
         QFile::remove(QString::fromStdString(file));
       }
     },
-    [this, volume, version = study->labelVersion,
-      numbers = vtkWeakPointer<vtkImageData>(study->labels->image)]
+    [this, volume, version = study->labelVersion, numbers = study->labels->image]
     {
       this->saved[volume] = { numbers, version };
       this->SaveFrom(volume + 1);
@@ -220,8 +219,8 @@ void Autosave::NameSegments(Scene& scene, int volume) const
 {
   auto& labels = SceneLabelsOf(scene, volume);
   const auto& shown = StudyOfVolume(*this->model->CurrentStudy(), volume).labels;
-  if (labels && this->model->HasUnsavedLabels(volume) && this->saved[volume].numbers &&
-    this->saved[volume].numbers.Get() == shown->image)
+  if (labels && this->model->HasUnsavedLabels(volume) &&
+    this->saved[volume].numbers == shown->image)
   {
     labels->path = this->SegmentsPath(volume).toStdString();
     labels->series.clear();

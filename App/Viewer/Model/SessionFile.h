@@ -10,7 +10,7 @@
 #include <QTimer>
 
 #include <vtkImageData.h>
-#include <vtkWeakPointer.h>
+#include <vtkSmartPointer.h>
 
 #include <array>
 #include <memory>
@@ -65,7 +65,7 @@ private:
   /// The labels that are in the file of a volume's segments.
   struct SavedLabels
   {
-    vtkWeakPointer<vtkImageData> numbers; ///< null if there is no file
+    vtkSmartPointer<vtkImageData> numbers; ///< null if there is no file
     int version = 0;
   };
 
