@@ -165,8 +165,20 @@ TEST(PictureThread, GoesOnIfOnlyTheCountsOfValuesChange)
   EXPECT_GT(thread.Last()->numbers.drawnPart, before) << "and does not begin anew";
 }
 
-// The editor of segments writes into their voxels where they are, and then names another version.
-TEST(PictureThread, DrawsLabelsOfTheVersionThatWasTaken)
+TEST(CopyOfLabels, LeavesOutSegmentsThatTheStudyDoesNotHaveYet)
+{
+  const auto study = LabelledStudy();
+  ASSERT_EQ(study->labels->segments.size(), 2u);
+  study->labels->image->SetScalarComponentFromDouble(0, 0, 0, 0, 2.0);
+  study->labels->image->SetScalarComponentFromDouble(1, 0, 0, 0, 3.0);
+  const vtkSmartPointer<vtkImageData> copy = CopyOfLabels(*study);
+  EXPECT_EQ(copy->GetScalarComponentAsDouble(0, 0, 0, 0), 2.0);
+  EXPECT_EQ(copy->GetScalarComponentAsDouble(1, 0, 0, 0), 0.0);
+}
+
+// The editor of segments writes into their voxels where they are, and counts that. A step that is
+// taken back brings the version back, which the thread may have copied with later voxels.
+TEST(PictureThread, CopiesLabelsAgainWheneverTheyWereWritten)
 {
   const auto study = LabelledStudy();
   const Scene scene = SceneOfThread();
@@ -177,8 +189,7 @@ TEST(PictureThread, DrawsLabelsOfTheVersionThatWasTaken)
   study->labels->image->GetPointData()->GetScalars()->Fill(0.0);
   thread.Take(ScenePart::Labels, scene, study);
   EXPECT_EQ(PictureOf(thread), before) << "the thread has a copy";
-  Study changed = *study;
-  ++changed.labelVersion;
-  thread.Take(ScenePart::Labels, scene, std::make_shared<const Study>(changed));
+  ++study->labelGuard->writes;
+  thread.Take(ScenePart::Labels, scene, study);
   EXPECT_NE(PictureOf(thread), before);
 }

@@ -11,7 +11,6 @@
 #include <QUndoCommand>
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace varimarch
@@ -71,10 +70,7 @@ private:
   void Apply(bool isForward)
   {
     const Study& study = *this->model->StudyOf(this->volume);
-    {
-      const std::lock_guard<std::mutex> lock(*study.labelMutex);
-      varimarch::Apply(this->change, isForward, study.labels->image);
-    }
+    WriteLabels(this->change, isForward, study.labels->image, *study.labelGuard);
     this->model->RenewLabels(this->volume, isForward ? this->after : this->before);
   }
 

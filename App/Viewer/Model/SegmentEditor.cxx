@@ -107,7 +107,7 @@ void SegmentEditor::Press(
   this->isStroking = true;
   this->stroke = {};
   this->stroked = this->Numbers();
-  this->mutex = this->model->EditedStudy()->labelMutex;
+  this->guard = this->model->EditedStudy()->labelGuard;
   this->normal = sliceNormal;
   this->lastMm = pointMm;
   emit this->StrokingChanged(true);
@@ -130,7 +130,7 @@ void SegmentEditor::Brush(const std::array<double, 3>& toMm)
   const LabelChange change = this->tool == SegmentTool::Erase
     ? Erased(placed, this->Number(), line)
     : Painted(placed, this->Number(), line);
-  this->Write(change, true);
+  WriteLabels(change, true, this->stroked, *this->guard);
   this->stroke = Joined(this->stroke, change, this->stroked);
   this->lastMm = toMm;
   emit this->Stroked();
@@ -155,15 +155,9 @@ void SegmentEditor::TakeBackStroke()
 {
   if (std::exchange(this->isStroking, false))
   {
-    this->Write(this->stroke, false);
+    WriteLabels(this->stroke, false, this->stroked, *this->guard);
     emit this->StrokingChanged(false);
   }
-}
-
-void SegmentEditor::Write(const LabelChange& change, bool isForward)
-{
-  const std::lock_guard<std::mutex> lock(*this->mutex);
-  Apply(change, isForward, this->stroked);
 }
 
 void SegmentEditor::KeepLargestIsland()

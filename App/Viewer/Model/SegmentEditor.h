@@ -13,7 +13,6 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <mutex>
 
 namespace varimarch
 {
@@ -93,7 +92,6 @@ private:
   void Work(const QString& name, std::function<LabelChange(vtkImageData* numbers)> change);
   void Take(const Study& before, const LabelChange& change, const QString& name);
   void Brush(const std::array<double, 3>& toMm);
-  void Write(const LabelChange& change, bool isForward);
   void TakeBackStroke();
 
   SceneModel* model;
@@ -105,7 +103,7 @@ private:
   std::array<double, 3> normal = {};
   LabelChange stroke;                    ///< so far
   vtkSmartPointer<vtkImageData> stroked; ///< the image that the stroke changes
-  std::shared_ptr<std::mutex> mutex;     ///< the lock of that image
+  std::shared_ptr<LabelGuard> guard;     ///< of that image
   bool isStroking = false;
   BackgroundTask work;
 };

@@ -4,6 +4,7 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -83,6 +84,20 @@ vtkSmartPointer<vtkImageData> SharedCopy(const LoadedVolume& volume)
   return copy;
 }
 
+void WriteLabels(
+  const LabelChange& change, bool isForward, vtkImageData* numbers, LabelGuard& guard)
+{
+  const std::lock_guard<std::mutex> lock(guard.mutex);
+  Apply(change, isForward, numbers);
+  ++guard.writes;
+}
+
+int WritesOfLabels(const Study& study)
+{
+  const std::lock_guard<std::mutex> lock(study.labelGuard->mutex);
+  return study.labelGuard->writes;
+}
+
 vtkSmartPointer<vtkImageData> CopyOfLabels(const Study& study)
 {
   vtkImageData* const image = study.labels->image;
@@ -91,8 +106,10 @@ vtkSmartPointer<vtkImageData> CopyOfLabels(const Study& study)
   copy->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   const auto numbersOf = [](vtkImageData* of)
   { return static_cast<unsigned char*>(of->GetScalarPointer()); };
-  const std::lock_guard<std::mutex> lock(*study.labelMutex);
-  std::copy_n(numbersOf(image), image->GetNumberOfPoints(), numbersOf(copy));
+  const std::size_t count = study.labels->segments.size();
+  const std::lock_guard<std::mutex> lock(study.labelGuard->mutex);
+  std::transform(numbersOf(image), numbersOf(image) + image->GetNumberOfPoints(), numbersOf(copy),
+    [count](unsigned char number) { return number > count ? std::uint8_t(0) : number; });
   return copy;
 }
 

@@ -4,6 +4,7 @@
 #include "Scene/ImageStatistics.h"
 #include "Scene/LabelMap.h"
 #include "Scene/SceneOverlays.h"
+#include "Scene/SegmentEditing.h"
 #include "Scene/SegmentStatistics.h"
 #include "Scene/VolumeLoading.h"
 
@@ -14,6 +15,13 @@
 
 namespace varimarch
 {
+
+/// Guards the voxels of a volume's labels, which the window's thread writes while others copy them.
+struct LabelGuard
+{
+  std::mutex mutex; ///< held while voxels are written or copied, and for the count
+  int writes = 0;   ///< how often voxels have been written
+};
 
 /// A volume in memory with the statistics of its voxels, and the labels over it. It does not
 /// change, but SceneModel and SegmentEditor edit the voxels of the labels where they are.
@@ -27,8 +35,8 @@ struct Study
     segmentStatistics = {}; ///< the volume in each segment of the labels
   /// False if these statistics, and the sizes of the segments, are those of earlier voxels.
   bool areSegmentsCounted = true;
-  /// Held while the voxels of the labels are written, or copied in another thread.
-  std::shared_ptr<std::mutex> labelMutex = std::make_shared<std::mutex>();
+  /// The same for all studies of a volume, whatever its time and its labels.
+  std::shared_ptr<LabelGuard> labelGuard = std::make_shared<LabelGuard>();
   /// The volumes over this one, in the order of the scene's overlays.
   std::vector<std::shared_ptr<const Study>> overlays = {};
   /// Counts of all times of the volume; null until they have been read, and for a single time.
@@ -74,7 +82,15 @@ std::shared_ptr<const Study> WithCounts(const Study& study, vtkImageData* image)
 /// file, which are known by their array.
 vtkSmartPointer<vtkImageData> SharedCopy(const LoadedVolume& volume);
 
-/// A copy of the numbers of the labels, which the window's thread may write meanwhile.
+/// Writes a change into the numbers of labels, or takes it back.
+void WriteLabels(
+  const LabelChange& change, bool isForward, vtkImageData* numbers, LabelGuard& guard);
+
+/// How often the numbers of the labels have been written.
+int WritesOfLabels(const Study& study);
+
+/// A copy of the numbers of the labels, which the window's thread may write meanwhile. Segments
+/// that the study does not have yet are left out.
 vtkSmartPointer<vtkImageData> CopyOfLabels(const Study& study);
 
 /// The same volume without labels.

@@ -55,10 +55,14 @@ private:
   MovingImageSize moving;
 };
 
-// Labels are large, so they are copied here. They may be newer than the order: then another order
-// follows.
+// Labels are large, so they are copied here. They may be newer than the order, so its version does
+// not name the copy; another order follows then.
 void ThreadView::CopyLabels(Order& order)
 {
+  if (order.changed.empty())
+  {
+    return; // the view has what it draws
+  }
   this->labels.Begin();
   const auto copyFor = [this](const Study& study, std::shared_ptr<const LabelMap>& shown)
   {
@@ -66,7 +70,7 @@ void ThreadView::CopyLabels(Order& order)
     {
       auto copy = std::make_shared<LabelMap>(*shown);
       copy->image =
-        this->labels.Of(shown->image, study.labelVersion, [&] { return CopyOfLabels(study); });
+        this->labels.Of(shown->image, WritesOfLabels(study), [&] { return CopyOfLabels(study); });
       shown = copy;
     }
   };
