@@ -197,7 +197,7 @@ void MainWindow::OpenDropped(const QString& path)
 void MainWindow::ShowSegmentation(
   const SceneLabels& labels, const std::shared_ptr<const Study>& labelled)
 {
-  const std::optional<int> volume = this->model.VolumeOf(labelled->volume.image);
+  const std::optional<int> volume = this->model.VolumeOf(*labelled);
   if (!volume)
   {
     // Meanwhile the user chose another form of the scan, with another grid.

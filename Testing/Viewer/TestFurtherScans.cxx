@@ -211,3 +211,26 @@ TEST_F(FurtherScans, HaveSegmentsOfTheirOwn)
   EXPECT_EQ(this->Model()->StudyOf(1)->segmentStatistics.at(0).voxels, 512);
   EXPECT_FALSE(this->Model()->VolumeWithUnsavedLabels());
 }
+
+TEST_F(FurtherScans, GetTheirRegionsThoughTheUserChoosesAnotherMeanwhile)
+{
+  this->OpenTorso();
+  this->AddPetOfFile();
+  for (const char* const button : { "newSegment", "toolRegion" })
+  {
+    this->window.findChild<QPushButton*>(button)->click();
+  }
+  this->window.findChild<QDoubleSpinBox*>("smallestValue")->setValue(900.0);
+  this->window.findChild<QDoubleSpinBox*>("largestValue")->setValue(1100.0);
+  auto* const slice = this->window.findChild<SliceView*>();
+  QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
+  this->Model()->SetEditedVolume(0);
+  EXPECT_TRUE(QTest::qWaitFor(
+    [&]
+    {
+      const auto pet = this->Model()->StudyOf(1);
+      return pet->areSegmentsCounted && pet->segmentStatistics.at(0).voxels == 8 * 8 * 8;
+    },
+    MostMilliseconds));
+  EXPECT_FALSE(this->Model()->EditedLabels()) << "those of the first";
+}

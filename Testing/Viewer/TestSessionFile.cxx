@@ -215,7 +215,7 @@ TEST_F(Sessions, AreAutosavedWithTheSegmentsOfEachVolume)
   this->model.AddSegment("tumour", "new segment");
   AddPet(this->model);
   this->model.AddSegment("hot spot", "new segment");
-  this->model.ChangeLabels({ { 3, 5, 2, 2, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } }, "paint");
+  this->model.ChangeLabels({ { 3, 5, 2, 2, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } }, "paint", 1);
   autosave.Save();
   ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
   const Scene saved = ReadScene(this->path.toStdString());

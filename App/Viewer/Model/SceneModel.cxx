@@ -239,11 +239,11 @@ const std::optional<SceneLabels>& SceneModel::EditedLabels() const
   return SceneLabelsOf(this->state.scene, this->edited);
 }
 
-std::optional<int> SceneModel::VolumeOf(vtkImageData* image) const
+std::optional<int> SceneModel::VolumeOf(const Study& study) const
 {
   for (int volume = 0; volume < VolumeCount(this->state.scene); ++volume)
   {
-    if (StudyOfVolume(*this->state.study, volume).volume.image == image)
+    if (this->StudyOf(volume)->labelGuard == study.labelGuard)
     {
       return volume;
     }

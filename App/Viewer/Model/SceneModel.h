@@ -113,9 +113,9 @@ public:
   /// undo step.
   void AddSegment(const QString& segmentName, const QString& name);
 
-  /// Changes voxels of the edited volume's labels, which may have been changed already. This is an
-  /// undo step, which keeps the changed box and no copy of the labels.
-  void ChangeLabels(const LabelChange& change, const QString& name);
+  /// Changes voxels of a volume's labels, which may have been changed already. This is an undo
+  /// step, which keeps the changed box and no copy of the labels.
+  void ChangeLabels(const LabelChange& change, const QString& name, int volume = 0);
 
   /// Takes the file that the labels of a volume have been written to.
   /// @param segments  of the scene, with the values that they have in the file
@@ -139,8 +139,9 @@ public:
   /// Counts at once what is not counted yet, for a report.
   void CountSegments();
 
-  /// The number of the volume with these voxels; empty if it is no longer shown.
-  std::optional<int> VolumeOf(vtkImageData* image) const;
+  /// The number of the volume of a study, which may have other labels or another time by now; empty
+  /// if it is no longer shown.
+  std::optional<int> VolumeOf(const Study& study) const;
 
   /// Draws a further volume over the others. This is an undo step, and the volume becomes the
   /// edited one. Requires fewer than MostVolumes.

@@ -53,12 +53,12 @@ int FreeValue(const std::vector<Segment>& segments)
 class SceneModel::LabelStep : public QUndoCommand
 {
 public:
-  LabelStep(SceneModel* model, LabelChange change, const QString& name)
+  LabelStep(SceneModel* model, LabelChange change, const QString& name, int volume)
     : QUndoCommand(name)
     , model(model)
     , change(std::move(change))
-    , volume(model->edited)
-    , before(model->LabelVersion(model->edited))
+    , volume(volume)
+    , before(model->LabelVersion(volume))
     , after(++model->lastLabelVersion)
   {
   }
@@ -115,9 +115,9 @@ void SceneModel::TakeSegments(State& taken, int volume)
   }
 }
 
-void SceneModel::ChangeLabels(const LabelChange& change, const QString& name)
+void SceneModel::ChangeLabels(const LabelChange& change, const QString& name, int volume)
 {
-  this->history.push(new LabelStep(this, change, name));
+  this->history.push(new LabelStep(this, change, name, volume));
 }
 
 void SceneModel::RenewLabels(int volume, int version)
@@ -171,7 +171,7 @@ void SceneModel::CountInThread()
     { *counted = WithCounts(*study, image); },
     [this, study, counted]
     {
-      const std::optional<int> now = this->VolumeOf(study->volume.image);
+      const std::optional<int> now = this->VolumeOf(*study);
       if (now && this->StudyOf(*now) == study)
       {
         this->TakeCounted(*now, *counted);

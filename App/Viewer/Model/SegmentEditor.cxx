@@ -3,6 +3,7 @@
 #include "Scene/Placing.h"
 #include "Scene/SceneVolumes.h"
 
+#include <optional>
 #include <utility>
 
 namespace varimarch
@@ -66,8 +67,9 @@ void SegmentEditor::Work(
 
 void SegmentEditor::Take(const Study& before, const LabelChange& change, const QString& name)
 {
-  const auto now = this->model->EditedStudy();
-  const bool areSame = now->labels && now->labels->image == before.labels->image &&
+  const std::optional<int> volume = this->model->VolumeOf(before);
+  const auto now = volume ? this->model->StudyOf(*volume) : nullptr;
+  const bool areSame = now && now->labels && now->labels->image == before.labels->image &&
     now->labelVersion == before.labelVersion;
   if (!areSame)
   {
@@ -79,7 +81,7 @@ void SegmentEditor::Take(const Study& before, const LabelChange& change, const Q
   }
   else
   {
-    this->model->ChangeLabels(change, name);
+    this->model->ChangeLabels(change, name, *volume);
   }
 }
 
@@ -144,8 +146,8 @@ void SegmentEditor::Release()
   }
   if (!this->stroke.IsEmpty())
   {
-    this->model->ChangeLabels(
-      this->stroke, this->tool == SegmentTool::Erase ? tr("erase") : tr("paint"));
+    this->model->ChangeLabels(this->stroke,
+      this->tool == SegmentTool::Erase ? tr("erase") : tr("paint"), this->model->EditedVolume());
   }
   emit this->StrokingChanged(false);
 }
