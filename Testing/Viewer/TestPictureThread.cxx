@@ -9,6 +9,7 @@
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 #include <vtkVariationFieldVolumeMapper.h>
+#include <vtkWeakPointer.h>
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,20 @@ TEST(PictureThread, ShowsNothingOfAVolumeThatWasReplaced)
   QTest::qSleep(5);
   thread.Take(ScenePart::Volume, scene, study);
   EXPECT_EQ(PictureOf(thread), expected);
+}
+
+TEST(PictureThread, KeepsNoVolumeThatWasReplaced)
+{
+  auto study = SmallStudy();
+  const vtkWeakPointer<vtkImageData> replaced(study->volume.image.Get());
+  PictureThread thread;
+  thread.Take(ScenePart::Volume, SceneOfThread(), study);
+  ASSERT_FALSE(PictureOf(thread).isNull());
+  study.reset();
+  EXPECT_TRUE(replaced);
+  thread.Take(ScenePart::Volume, SceneOfThread(), OtherStudy());
+  ASSERT_FALSE(PictureOf(thread).isNull());
+  EXPECT_FALSE(replaced);
 }
 
 TEST(PictureThread, DrawsTheVoxelsOfAnotherTime)

@@ -11,6 +11,12 @@ void ImageCopies::Begin()
   this->before = std::exchange(this->used, {});
 }
 
+// A copy that is no longer needed keeps the voxels of its volume.
+void ImageCopies::End()
+{
+  this->before.clear();
+}
+
 vtkSmartPointer<vtkImageData> ImageCopies::Of(vtkImageData* source, int version, const Make& make)
 {
   const auto known = std::find_if(this->before.begin(), this->before.end(),

@@ -17,8 +17,9 @@ class ImageCopies
 public:
   using Make = std::function<vtkSmartPointer<vtkImageData>()>;
 
-  /// Forgets the copies that have not been asked for since the last call.
+  /// From Begin() to End(), copies are asked for. Those that are not are forgotten then.
   void Begin();
+  void End();
 
   /// @param make  makes a copy if there is none of this version
   vtkSmartPointer<vtkImageData> Of(vtkImageData* source, int version, const Make& make);

@@ -79,6 +79,7 @@ void ThreadView::CopyLabels(Order& order)
   {
     copyFor(*order.study->overlays[i], order.voxels.overlays[i].labels);
   }
+  this->labels.End();
 }
 
 vtkVariationFieldVolumeMapper* MapperOf(OffscreenView& view)
@@ -270,6 +271,7 @@ ShownVoxels PictureThread::SharedVoxels(const Study& study)
   {
     share(voxels.overlays[i].image, study.overlays[i]->volume);
   }
+  this->shared.End();
   return voxels;
 }
 
