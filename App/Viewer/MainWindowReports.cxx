@@ -68,6 +68,7 @@ void MainWindow::ExportTurntable()
   this->ExportMovie({ tr("Export a turntable"), tr("Rendering the turntable"), "turntable" },
     [this](const QString& path, const std::function<bool(double)>& onProgress)
     {
+      this->model.CountSegments();
       PictureMaker maker(this->model.CurrentScene(), *this->model.CurrentStudy(),
         { this->view->Ours()->size(), false, true });
       return WriteTurntable(maker, Pictures, path, onProgress);
@@ -80,6 +81,7 @@ void MainWindow::ExportTimes()
   this->ExportMovie({ tr("Export the times"), tr("Rendering the times"), "times" },
     [this](const QString& path, const std::function<bool(double)>& onProgress)
     {
+      this->model.CountSegments();
       return WriteTimesMovie(
         { this->model.CurrentScene(), this->model.CurrentStudy(),
           { this->view->Ours()->size(), false, true }, this->timeBar->Speed() },

@@ -146,6 +146,7 @@ void SendDialog::Send()
   try
   {
     const WaitCursor cursor;
+    this->model->CountSegments();
     const Scene scene = this->model->CurrentScene();
     PictureMaker maker(
       scene, *this->model->CurrentStudy(), { this->pixels, false, this->overlay->isChecked() });

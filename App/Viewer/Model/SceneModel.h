@@ -136,7 +136,8 @@ public:
   /// change of their voxels. ScenePart::Labels changes when it is done.
   bool AreSegmentsCounted() const;
 
-  /// Counts at once what is not counted yet, for a report.
+  /// Counts at once what is not counted yet, for a report, or for an image in a file: the opacity
+  /// of a segment depends on its size.
   void CountSegments();
 
   /// The number of the volume of a study, which may have other labels or another time by now; empty

@@ -228,6 +228,7 @@ void ExportDialog::Export()
     const Scene& scene = this->model->CurrentScene();
     const bool isTransparent =
       this->transparent->isChecked() && PictureFormatOf(file) == PictureFormat::Png;
+    this->model->CountSegments();
     const auto study = this->model->CurrentStudy();
     PictureMaker maker(scene, *study,
       { { this->width->value(), this->height->value() }, isTransparent,
