@@ -248,6 +248,15 @@ protected:
       });
   }
 
+  /// The text of the view for a column.
+  QString PointedAt(double x)
+  {
+    QSignalSpy pointed(&this->view, &CurvedView::Pointed);
+    QMouseEvent move(QEvent::MouseMove, QPointF(x, 100), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(&this->view, &move);
+    return pointed.last().first().toString();
+  }
+
   CurvedView view{ &this->model };
 };
 
@@ -281,12 +290,9 @@ TEST_F(Curved, PutsTheCrosshairOnTheCurveAtItsDistance)
   const glm::dvec3 crosshair = VectorOf(*this->model.CurrentScene().slices.crosshairMm);
   const glm::dvec3 expected = path.At(0.25 * path.LengthMm(), 0.0).pointMm;
   EXPECT_NEAR(glm::distance(crosshair, expected), 0.0, 0.01);
-  QSignalSpy pointed(&this->view, &CurvedView::Pointed);
-  QMouseEvent move(QEvent::MouseMove, QPointF(200, 100), Qt::NoButton, Qt::NoButton, {});
-  QApplication::sendEvent(&this->view, &move);
   const QString half = QString::number(0.5 * path.LengthMm(), 'f', 1);
-  EXPECT_TRUE(pointed.last().first().toString().startsWith(half + " mm along the curve"))
-    << pointed.last().first().toString().toStdString();
+  EXPECT_TRUE(this->PointedAt(200.0).startsWith(half + " mm along the curve"))
+    << this->PointedAt(200.0).toStdString();
 }
 
 TEST_F(Curved, IsTurnedByTheWheelAndTheKeys)
@@ -318,6 +324,10 @@ TEST_F(Curved, IsStretchedByTheContextMenuUntilItIsStraightened)
   const auto last = this->view.PointAt({ this->view.width() - 0.001, 0.5 * this->view.height() });
   const auto first = this->view.PointAt({ 0.0, 0.5 * this->view.height() });
   EXPECT_NEAR(glm::distance(*last, *first), 80.0, 0.01);
+  const double lengthMm = this->view.Path()->LengthMm();
+  ASSERT_GT(lengthMm, 81.0);
+  EXPECT_TRUE(this->PointedAt(this->view.width() - 0.001)
+                .startsWith(QString::number(lengthMm, 'f', 1) + " mm along the curve"));
   EXPECT_TRUE(CurvedView(&this->model).findChild<QAction*>("stretchedCurve")->isChecked())
     << "the next one begins so";
   this->view.findChild<QAction*>("straightenedCurve")->trigger();

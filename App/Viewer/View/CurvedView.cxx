@@ -16,6 +16,7 @@
 #include <QSettings>
 #include <QWheelEvent>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -251,12 +252,24 @@ void CurvedView::mouseMoveEvent(QMouseEvent* event)
   }
   if (const std::optional<glm::dvec3> point = this->PointAt(event->localPos()))
   {
-    const double alongMm = this->Request().mmPerPixel * event->localPos().x();
     emit this->Pointed(
       tr("%1 mm along the curve; %2")
-        .arg(NumberText(alongMm, 1),
+        .arg(NumberText(this->AlongCurveMm(event->localPos().x()), 1),
           PointText(this->model->CurrentScene(), *this->model->CurrentStudy(), NumbersOf(*point))));
   }
+}
+
+// The length of the curve itself up to a column, which a stretched picture shows shortened.
+double CurvedView::AlongCurveMm(double x) const
+{
+  const std::vector<double>& inCut = this->cut->LengthsMm();
+  const std::vector<double>& inCurve = this->path->LengthsMm();
+  const double distanceMm = this->Request().mmPerPixel * x;
+  const auto upper = std::upper_bound(inCut.begin() + 1, inCut.end() - 1, distanceMm);
+  const std::size_t i = std::size_t(upper - inCut.begin());
+  const double spanMm = inCut[i] - inCut[i - 1];
+  const double part = spanMm > 0.0 ? (distanceMm - inCut[i - 1]) / spanMm : 0.0;
+  return glm::mix(inCurve[i - 1], inCurve[i], part);
 }
 
 void CurvedView::MoveCrosshair(const QPointF& place)

@@ -54,6 +54,7 @@ private:
   void DrawCrosshair(QPainter& painter) const;
   void MoveCrosshair(const QPointF& place);
   void Turn(double degrees);
+  double AlongCurveMm(double x) const;
 
   SceneModel* model;
   std::optional<CurvePath> path; ///< empty without a curve of some length
