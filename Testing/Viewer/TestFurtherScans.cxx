@@ -6,6 +6,7 @@
 #include "Scene/SegmentFiles.h"
 #include "TorsoWindow.h"
 #include "Viewer/Model/SessionFile.h"
+#include "Viewer/Open/WarningBar.h"
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/SliceView.h"
 
@@ -58,6 +59,18 @@ protected:
     auto* const warning = this->window.findChild<QMessageBox*>("otherSpace");
     ASSERT_TRUE(warning);
     warning->button(QMessageBox::Ok)->click();
+  }
+
+  /// Clicks into the middle of a slice, so that a new segment gets 512 voxels of the PET.
+  void GrowRegionOfPet(SliceView* slice)
+  {
+    for (const char* const button : { "newSegment", "toolRegion" })
+    {
+      this->window.findChild<QPushButton*>(button)->click();
+    }
+    this->window.findChild<QDoubleSpinBox*>("smallestValue")->setValue(900.0);
+    this->window.findChild<QDoubleSpinBox*>("largestValue")->setValue(1100.0);
+    QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
   }
 
   QString WritePet()
@@ -180,13 +193,8 @@ TEST_F(FurtherScans, HaveSegmentsOfTheirOwn)
 {
   this->OpenTorso();
   this->AddPetOfFile();
-  const auto press = [&](const char* name) { this->window.findChild<QPushButton*>(name)->click(); };
-  press("newSegment");
-  this->window.findChild<QDoubleSpinBox*>("smallestValue")->setValue(900.0);
-  this->window.findChild<QDoubleSpinBox*>("largestValue")->setValue(1100.0);
-  press("toolRegion");
   auto* const slice = this->window.findChild<SliceView*>();
-  QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
+  this->GrowRegionOfPet(slice);
   EXPECT_FALSE(this->Model()->CurrentScene().labels);
   ASSERT_TRUE(this->Model()->CurrentScene().overlays[0].labels);
   EXPECT_TRUE(QTest::qWaitFor([&]
@@ -216,21 +224,31 @@ TEST_F(FurtherScans, GetTheirRegionsThoughTheUserChoosesAnotherMeanwhile)
 {
   this->OpenTorso();
   this->AddPetOfFile();
-  for (const char* const button : { "newSegment", "toolRegion" })
-  {
-    this->window.findChild<QPushButton*>(button)->click();
-  }
-  this->window.findChild<QDoubleSpinBox*>("smallestValue")->setValue(900.0);
-  this->window.findChild<QDoubleSpinBox*>("largestValue")->setValue(1100.0);
-  auto* const slice = this->window.findChild<SliceView*>();
-  QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
+  this->GrowRegionOfPet(this->window.findChild<SliceView*>());
   this->Model()->SetEditedVolume(0);
   EXPECT_TRUE(QTest::qWaitFor(
     [&]
     {
       const auto pet = this->Model()->StudyOf(1);
-      return pet->areSegmentsCounted && pet->segmentStatistics.at(0).voxels == 8 * 8 * 8;
+      return pet->areSegmentsCounted && pet->segmentStatistics.at(0).voxels == 512;
     },
     MostMilliseconds));
   EXPECT_FALSE(this->Model()->EditedLabels()) << "those of the first";
+}
+
+TEST_F(FurtherScans, SayThatTheirSegmentsCannotBeRead)
+{
+  this->OpenTorso();
+  this->AddPetOfFile();
+  Scene scene = this->Model()->CurrentScene();
+  scene.overlays[0].labels = SceneLabels{ this->Path("missing.seg.nrrd").toStdString() };
+  WriteScene(scene, this->Path("session.json"));
+  const Answers discards(QMessageBox::Discard, {});
+  this->window.Open(this->Path("torso.vti"));
+  ASSERT_TRUE(this->AwaitOverlays(0));
+  this->window.Open(this->Path("session.json"));
+  ASSERT_TRUE(this->AwaitOverlays(1));
+  EXPECT_FALSE(this->Model()->CurrentScene().overlays[0].labels);
+  const QStringList warnings = WarningBar::TextsOf(*this->Model()->CurrentStudy());
+  EXPECT_EQ(warnings.filter("missing.seg.nrrd").size(), 1) << warnings.join('\n').toStdString();
 }

@@ -76,7 +76,13 @@ std::shared_ptr<const Study> WithOverlays(const std::shared_ptr<const Study>& fi
     study.overlays.emplace_back();
     try
     {
-      study.overlays.back() = OverlayStudy(overlay, observe);
+      const auto added = OverlayStudy(overlay, observe);
+      study.overlays.back() = added;
+      if (overlay.labels && !added->labels)
+      {
+        // Only the warnings of the first volume are shown, and those of labels.
+        study.volume.warnings.push_back(added->volume.warnings.back());
+      }
     }
     catch (const std::runtime_error& reason)
     {
