@@ -103,7 +103,7 @@ private:
   std::array<double, 3> normal = {};
   LabelChange stroke;                    ///< so far
   vtkSmartPointer<vtkImageData> stroked; ///< the image that the stroke changes
-  std::shared_ptr<LabelGuard> guard;     ///< of that image
+  std::shared_ptr<LabelGuard> guard;     ///< guards that image
   bool isStroking = false;
   BackgroundTask work;
 };
