@@ -42,11 +42,11 @@ bool IsDicom(const Study& study)
 struct SegmentsToSave
 {
   const Scene& scene;
-  const Study& first;
+  std::shared_ptr<const Study> first;
   int volume;
 
   const SceneLabels& Labels() const { return *SceneLabelsOf(this->scene, this->volume); }
-  const Study& Scan() const { return StudyOfVolume(this->first, this->volume); }
+  const Study& Scan() const { return StudyOfVolume(*this->first, this->volume); }
 };
 
 struct SavedSegments
@@ -124,10 +124,8 @@ QWidget* MainWindow::MakeSegmentsPanel()
 
 bool MainWindow::SaveSegmentation(int volume)
 {
-  const SegmentsToSave segments = { this->model.CurrentScene(), *this->model.CurrentStudy(),
-    volume };
   QStringList filters = { tr("Segmentation of 3D Slicer (*.seg.nrrd)"), tr("NIfTI (*.nii.gz)") };
-  if (IsDicom(segments.Scan()))
+  if (IsDicom(*this->model.StudyOf(volume)))
   {
     filters.append(tr("DICOM segmentation (*.dcm)"));
   }
@@ -142,7 +140,8 @@ bool MainWindow::SaveSegmentation(int volume)
   try
   {
     const WaitCursor waiting;
-    saved = SaveSegments(segments, path.toStdString());
+    saved = SaveSegments(
+      { this->model.CurrentScene(), this->model.CurrentStudy(), volume }, path.toStdString());
   }
   catch (const std::exception& problem)
   {
