@@ -163,6 +163,7 @@ private:
     const std::optional<SceneLabels>& labels = {},
     const std::vector<OverlaidVolume>& overlays = {});
   void OpenSegmentation(const SceneLabels& labels);
+  void ReadSegmentation(const SceneLabels& labels, int volume);
   void OpenDropped(const QString& path);
   void ShowSegmentation(const SceneLabels& labels, const std::shared_ptr<const Study>& labelled);
   void RaiseSegments();
@@ -210,6 +211,7 @@ private:
   bool addsScan = false;          ///< true while a further scan is being loaded
   bool isDropped = false;         ///< the file being loaded may be a segmentation of the scan
   bool isPreviewed = false;       ///< a coarse copy of the volume being loaded was shown
+  int labelledVolume = 0;         ///< the volume that a segmentation is being loaded for
   std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
   std::vector<std::shared_ptr<const PrivateFolder>> fetched; ///< scans of archives, until the end
   QString savedWork;                                         ///< the work that is in a file

@@ -171,9 +171,15 @@ void MainWindow::ChooseSegmentation()
 
 void MainWindow::OpenSegmentation(const SceneLabels& labels)
 {
+  this->ReadSegmentation(labels, this->model.EditedVolume());
+}
+
+void MainWindow::ReadSegmentation(const SceneLabels& labels, int volume)
+{
   this->ForgetRequest();
+  this->labelledVolume = volume;
   this->BeginLoading(QString::fromStdString(labels.path));
-  this->loader.LoadLabels(labels, this->model.EditedStudy());
+  this->loader.LoadLabels(labels, this->model.StudyOf(volume));
 }
 
 // A file that is dropped on a scan may be its segmentation. Folders and sessions are opened.
@@ -189,6 +195,7 @@ void MainWindow::OpenDropped(const QString& path)
   }
   this->ForgetRequest();
   this->isDropped = true;
+  this->labelledVolume = this->model.EditedVolume();
   this->BeginLoading(path);
   this->loader.LoadBeside(name, this->model.EditedStudy());
 }
@@ -197,10 +204,15 @@ void MainWindow::ShowSegmentation(
   const SceneLabels& labels, const std::shared_ptr<const Study>& labelled)
 {
   const std::optional<int> volume = this->model.VolumeOf(*labelled);
-  if (!volume)
+  if (!volume && this->labelledVolume == 0)
   {
     // Meanwhile the user chose another form of the scan, with another grid.
-    this->OpenSegmentation(labels);
+    this->ReadSegmentation(labels, 0);
+    return;
+  }
+  if (!volume)
+  {
+    this->ShowLoading(false); // meanwhile the user removed the added scan
     return;
   }
   LogEvent("segmentation opened",

@@ -3,6 +3,7 @@
 #include "Answers.h"
 #include "LabelledStudy.h"
 #include "Module/PhantomSegmentation.h"
+#include "OverlaidStudy.h"
 #include "Scene/VolumeWriters/VolumeWriters.h"
 #include "TorsoWindow.h"
 #include "Viewer/Model/SessionFile.h"
@@ -311,4 +312,18 @@ TEST_F(Segmentations, AreSavedWithASentenceOnWhatTheFormatLacks)
   save->click();
   EXPECT_TRUE(QFile::exists(this->Path("tumour.nii.gz")));
   EXPECT_GE(lossy.Questions(), 1) << "NIfTI has no names and colours";
+}
+
+TEST_F(Segmentations, OfAnAddedScanThatIsRemovedMeanwhileAreGivenToNoOther)
+{
+  this->OpenTorso();
+  const QString file = this->WriteSegmentation();
+  AddPet(*this->Model());
+  this->Drop(file);
+  ASSERT_TRUE(this->window.Loader()->IsLoading());
+  this->Model()->RemoveOverlay(0, "remove");
+  ASSERT_TRUE(
+    QTest::qWaitFor([&] { return !this->window.Loader()->IsLoading(); }, MostMilliseconds));
+  EXPECT_FALSE(this->Model()->CurrentScene().labels);
+  EXPECT_FALSE(this->window.findChild<QMessageBox*>()) << "the file was read";
 }
