@@ -100,7 +100,7 @@ void MainWindow::Listen()
     {
       if (part == ScenePart::Volume || part == ScenePart::Labels)
       {
-        this->ShowWarnings();
+        this->ShowWarnings(part == ScenePart::Volume);
       }
       if (part == ScenePart::Look)
       {

@@ -195,7 +195,7 @@ private:
   bool TakeLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study);
   void KeepInMind(const FileSource& file, const Study& study);
   void ShowSuggestion(const Study& study);
-  void ShowWarnings();
+  void ShowWarnings(bool isNewVolume);
   void ToggleRectified();
   void Exchange(const VolumeSource& source, const std::shared_ptr<const Study>& form);
   void ShowFailure(const QString& reason);

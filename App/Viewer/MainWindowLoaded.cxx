@@ -116,14 +116,19 @@ void MainWindow::ShowSuggestion(const Study& study)
         SuggestionText(SuggestedPreset(study.volume, study.statistics))));
 }
 
-void MainWindow::ShowWarnings()
+// Edits of segments leave a bar closed that the user has closed.
+void MainWindow::ShowWarnings(bool isNewVolume)
 {
   const Study& study = *this->model.CurrentStudy();
   const SliceLayout slices = study.volume.slices;
   const QString remedy = slices == SliceLayout::Irregular ? tr("Rectify")
     : slices == SliceLayout::Rectified                    ? tr("Show as scanned")
                                                           : QString();
-  this->warnings->Show(WarningBar::TextsOf(study), remedy);
+  const QStringList texts = WarningBar::TextsOf(study);
+  if (isNewVolume || texts != this->warnings->Texts())
+  {
+    this->warnings->Show(texts, remedy);
+  }
 }
 
 // Segments are read anew for the other grid, so they are saved before.

@@ -24,6 +24,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -287,6 +288,20 @@ TEST_F(Opening, OffersNothingForAScanThatIsEven)
   ASSERT_TRUE(this->IsOpened());
   EXPECT_TRUE(this->window.findChild<WarningBar*>()->isVisible());
   EXPECT_FALSE(this->Remedy()->isVisible());
+}
+
+TEST_F(Opening, KeepsTheWarningsClosedWhileSegmentsAreDrawn)
+{
+  this->WriteSeries("1.2.33", 3);
+  this->Open("DOE^JANE");
+  ASSERT_TRUE(this->IsOpened());
+  auto* const bar = this->window.findChild<WarningBar*>();
+  bar->findChild<QToolButton*>()->click();
+  this->window.Model()->AddSegment("liver", "new segment");
+  EXPECT_FALSE(bar->isVisible());
+  const Answers discard(QMessageBox::Discard, {});
+  this->Open("DOE^JANE");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bar->isVisible(); }, MostMilliseconds));
 }
 
 TEST_F(Opening, KnowsTheSegmentsOfASegmentation)

@@ -62,6 +62,7 @@ QStringList WarningBar::TextsOf(const Study& study)
 
 void WarningBar::Show(const QStringList& warnings, const QString& remedy)
 {
+  this->texts = warnings;
   this->remedy->setText(remedy);
   this->remedy->setVisible(!remedy.isEmpty());
   this->text->setText(warnings.join('\n'));

@@ -21,17 +21,21 @@ class WarningBar : public QFrame
 public:
   explicit WarningBar(QWidget* parent = nullptr);
 
-  /// The warnings of a volume and of its labels.
+  /// The warnings of a volume, and those of all labels.
   static QStringList TextsOf(const Study& study);
 
   /// Shows warnings; hides the bar if there are none.
   /// @param remedy  label of a button beside them; empty: no button
   void Show(const QStringList& warnings, const QString& remedy);
 
+  /// The warnings that were shown last, also after the user closed the bar.
+  const QStringList& Texts() const { return this->texts; }
+
 signals:
   void RemedyWanted();
 
 private:
+  QStringList texts;
   QLabel* text;
   QPushButton* remedy;
 };
