@@ -36,7 +36,7 @@ void MainWindow::ForgetAutosavedFile(Scene& scene) const
   for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
     auto& labels = SceneLabelsOf(scene, volume);
-    if (labels && labels->path == this->autosave.SegmentsPath(volume).toStdString())
+    if (labels && this->autosave.IsSegmentsPath(labels->path))
     {
       labels->path.clear();
     }

@@ -230,3 +230,24 @@ TEST_F(Sessions, AreAutosavedWithTheSegmentsOfEachVolume)
   EXPECT_FALSE(QFile::exists(QString::fromStdString(ofPet.path)));
   EXPECT_TRUE(QFile::exists(QString::fromStdString(saved.labels->path)));
 }
+
+// While a file is written, the last copy must not name it for other segments.
+TEST_F(Sessions, KeepTheFilesOfSegmentsWhenVolumesChangePlaces)
+{
+  Autosave autosave(&this->model, this->copies);
+  for (const char* const name : { "first", "second" })
+  {
+    AddPet(this->model, name);
+    this->model.AddSegment(name, "new segment");
+  }
+  autosave.Save();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.HasCopy(); }, 30000));
+  const Scene before = ReadScene(this->path.toStdString());
+  ASSERT_NE(before.overlays.at(0).labels->path, before.overlays.at(1).labels->path);
+  this->model.MoveOverlay(0, 1, "move");
+  autosave.Save();
+  const Scene after = ReadScene(this->path.toStdString());
+  EXPECT_EQ(after.overlays.at(0).labels->path, before.overlays[1].labels->path);
+  EXPECT_EQ(after.overlays.at(1).labels->path, before.overlays[0].labels->path);
+  EXPECT_EQ(after.overlays[0].labels->segments.at(0).name, "second");
+}

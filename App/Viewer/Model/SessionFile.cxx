@@ -131,11 +131,23 @@ bool Autosave::HasCopy() const
   return QFile::exists(this->path);
 }
 
-QString Autosave::SegmentsPath(int volume) const
+QString Autosave::SegmentsPath(int file) const
 {
-  const QString number = volume == 0 ? QString() : QStringLiteral(".volume%1").arg(volume + 1);
+  const QString number = file == 0 ? QString() : QStringLiteral(".volume%1").arg(file + 1);
   return this->path.isEmpty() ? QString()
                               : this->path.chopped(int(qstrlen(".json"))) + number + ".seg.nrrd";
+}
+
+bool Autosave::IsSegmentsPath(const std::string& candidate) const
+{
+  for (int file = 0; file < int(MostVolumes); ++file)
+  {
+    if (this->SegmentsPath(file).toStdString() == candidate)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void Autosave::Remove()
@@ -143,16 +155,16 @@ void Autosave::Remove()
   this->delay.stop();
   this->segmentWriting.Cancel();
   QFile::remove(this->path);
-  for (int volume = 0; volume < int(MostVolumes); ++volume)
+  for (int file = 0; file < int(MostVolumes); ++file)
   {
-    this->RemoveSegments(volume);
+    this->RemoveSegments(file);
   }
 }
 
-void Autosave::RemoveSegments(int volume)
+void Autosave::RemoveSegments(int file)
 {
-  QFile::remove(this->SegmentsPath(volume));
-  this->saved[volume] = {};
+  QFile::remove(this->SegmentsPath(file));
+  this->saved[file] = {};
 }
 
 void Autosave::Save()
@@ -181,9 +193,45 @@ void Autosave::SaveFrom(int volume)
   }
 }
 
+// The file that has the labels of a volume already, or one that the last copy does not name.
+int Autosave::FileFor(int volume) const
+{
+  const vtkSmartPointer<vtkImageData> numbers = this->model->StudyOf(volume)->labels->image;
+  const auto first = this->saved.begin();
+  const auto end = this->saved.end();
+  auto file =
+    std::find_if(first, end, [&](const SavedLabels& labels) { return labels.numbers == numbers; });
+  if (file == end)
+  {
+    file = std::find_if(first, end, [](const SavedLabels& labels) { return !labels.numbers; });
+  }
+  if (file == end)
+  {
+    file = std::find_if(
+      first, end, [this](const SavedLabels& labels) { return !this->IsNeeded(labels); });
+  }
+  return int(file - first);
+}
+
 bool Autosave::IsSaved(int volume) const
 {
-  return this->saved[volume].version == this->model->LabelVersion(volume);
+  const SavedLabels& labels = this->saved[this->FileFor(volume)];
+  return labels.numbers == this->model->StudyOf(volume)->labels->image &&
+    labels.version == this->model->LabelVersion(volume);
+}
+
+// True for labels of a volume that is shown, which are in no other file.
+bool Autosave::IsNeeded(const SavedLabels& labels) const
+{
+  for (int volume = 0; volume < VolumeCount(this->model->CurrentScene()); ++volume)
+  {
+    if (this->model->HasUnsavedLabels(volume) &&
+      this->model->StudyOf(volume)->labels->image == labels.numbers)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void Autosave::SaveSegments(int volume)
@@ -194,22 +242,23 @@ void Autosave::SaveSegments(int volume)
     return;
   }
   const auto study = this->model->StudyOf(volume);
+  const int file = this->FileFor(volume);
   this->segmentWriting.Start(
     [study, segments = SceneLabelsOf(this->model->CurrentScene(), volume)->segments,
-      file = this->SegmentsPath(volume).toStdString()](const TaskProgress& progress)
+      written = this->SegmentsPath(file).toStdString()](const TaskProgress& progress)
     {
       LabelMap labels;
       labels.image = CopyOfLabels(*study);
-      WriteSegments(labels, segments, {}, file);
+      WriteSegments(labels, segments, {}, written);
       // The copy may have been removed meanwhile, because the program ends.
       if (!progress(1.0))
       {
-        QFile::remove(QString::fromStdString(file));
+        QFile::remove(QString::fromStdString(written));
       }
     },
-    [this, volume, version = study->labelVersion, numbers = study->labels->image]
+    [this, volume, file, version = study->labelVersion, numbers = study->labels->image]
     {
-      this->saved[volume] = { numbers, version };
+      this->saved[file] = { numbers, version };
       this->SaveFrom(volume + 1);
     });
 }
@@ -218,14 +267,18 @@ void Autosave::SaveSegments(int volume)
 void Autosave::NameSegments(Scene& scene, int volume) const
 {
   auto& labels = SceneLabelsOf(scene, volume);
-  const auto& shown = StudyOfVolume(*this->model->CurrentStudy(), volume).labels;
-  if (labels && this->model->HasUnsavedLabels(volume) &&
-    this->saved[volume].numbers == shown->image)
+  if (!labels)
   {
-    labels->path = this->SegmentsPath(volume).toStdString();
+    return;
+  }
+  const int file = this->FileFor(volume);
+  if (this->model->HasUnsavedLabels(volume) &&
+    this->saved[file].numbers == this->model->StudyOf(volume)->labels->image)
+  {
+    labels->path = this->SegmentsPath(file).toStdString();
     labels->series.clear();
   }
-  else if (labels && labels->path.empty())
+  else if (labels->path.empty())
   {
     labels.reset(); // they are in no file
   }
@@ -247,11 +300,11 @@ void Autosave::SaveScene()
     // A failed backup is not worth an error message at every edit.
     return;
   }
-  for (int volume = 0; volume < int(MostVolumes) && !this->segmentWriting.IsRunning(); ++volume)
+  for (int file = 0; file < int(MostVolumes) && !this->segmentWriting.IsRunning(); ++file)
   {
-    if (volume >= VolumeCount(scene) || !this->model->HasUnsavedLabels(volume))
+    if (!this->IsNeeded(this->saved[file]))
     {
-      this->RemoveSegments(volume);
+      this->RemoveSegments(file);
     }
   }
 }

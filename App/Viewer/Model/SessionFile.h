@@ -14,6 +14,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 namespace varimarch
 {
@@ -43,9 +44,11 @@ public:
   bool HasCopy() const;
   /// The copy of this program; empty if the folder cannot be written to.
   QString Path() const { return this->path; }
-  /// The file of the segments of a volume that belong to the copy; empty if the folder cannot be
-  /// written to.
-  QString SegmentsPath(int volume = 0) const;
+  /// One of the MostVolumes files of segments that belong to the copy; empty if the folder cannot
+  /// be written to.
+  QString SegmentsPath(int file = 0) const;
+  /// True for the path of one of these files.
+  bool IsSegmentsPath(const std::string& candidate) const;
 
   /// Saves now, instead of two seconds after an edit. Segments with new voxels follow soon.
   void Save();
@@ -59,15 +62,18 @@ private:
   void SaveSegments(int volume);
   void SaveScene();
   void NameSegments(Scene& scene, int volume) const;
-  bool IsSaved(int volume) const;
-  void RemoveSegments(int volume);
+  void RemoveSegments(int file);
 
-  /// The labels that are in the file of a volume's segments.
+  /// The labels in a file of segments. Labels keep their file when volumes change places.
   struct SavedLabels
   {
     vtkSmartPointer<vtkImageData> numbers; ///< null if there is no file
     int version = 0;
   };
+
+  int FileFor(int volume) const;
+  bool IsSaved(int volume) const;
+  bool IsNeeded(const SavedLabels& labels) const;
 
   SceneModel* model;
   QString path;
