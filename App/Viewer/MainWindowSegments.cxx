@@ -42,7 +42,7 @@ bool IsDicom(const Study& study)
 struct SegmentsToSave
 {
   const Scene& scene;
-  std::shared_ptr<const Study> first;
+  std::shared_ptr<const Study> first; ///< may be replaced in the model while a dialog is open
   int volume;
 
   const SceneLabels& Labels() const { return *SceneLabelsOf(this->scene, this->volume); }

@@ -175,9 +175,9 @@ void MeasuresPanel::RemoveAll()
 
 void MeasuresPanel::Save()
 {
-  const LoadedVolume& volume = this->model->CurrentStudy()->volume;
   QStringList filters = { tr("Table (*.csv)") };
-  const bool isDicom = !volume.frameOfReference.empty(); // only DICOM has frames of reference
+  // Only DICOM has frames of reference.
+  const bool isDicom = !this->model->CurrentStudy()->volume.frameOfReference.empty();
   if (isDicom)
   {
     filters.append(tr("DICOM structured report (*.dcm)"));
@@ -196,7 +196,8 @@ void MeasuresPanel::Save()
     }
     else
     {
-      WriteFileWhole(path.toStdString(), CsvOf(this->model->CurrentScene().measures, volume));
+      WriteFileWhole(path.toStdString(),
+        CsvOf(this->model->CurrentScene().measures, this->model->CurrentStudy()->volume));
     }
     emit this->Saved(path);
   }
