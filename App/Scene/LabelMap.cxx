@@ -5,6 +5,8 @@
 #include <vtkNew.h>
 #include <vtkTransform.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -141,6 +143,29 @@ std::vector<Segment> SegmentsOfFile(const LoadedVolume& labels, const std::strin
   }
 }
 
+}
+
+bool AreOnGridOf(vtkImageData* labels, vtkImageData* scan)
+{
+  constexpr double MostVoxels = 0.1; // that corners may differ by, since files round places
+  int size[3];
+  int scanSize[3];
+  labels->GetDimensions(size);
+  scan->GetDimensions(scanSize);
+  bool areOn = std::equal(size, size + 3, scanSize);
+  const auto transform = LabelIndexFromScanIndex(labels, scan);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    glm::dvec3 index;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = (corner >> axis & 1) * size[axis];
+    }
+    glm::dvec3 labelIndex;
+    transform->TransformPoint(&index.x, &labelIndex.x);
+    areOn = areOn && glm::distance(index, labelIndex) < MostVoxels;
+  }
+  return areOn;
 }
 
 LabelMap LabelMapOf(const LoadedVolume& labels, const std::string& path, const LoadedVolume& scan)

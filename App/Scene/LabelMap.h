@@ -26,6 +26,9 @@ struct LabelMap
   std::vector<std::string> warnings; ///< one sentence each
 };
 
+/// True if each voxel of the labels lies where the scan has the voxel of the same index.
+bool AreOnGridOf(vtkImageData* labels, vtkImageData* scan);
+
 /// Puts labels on the grid of a scan, by the nearest voxel.
 /// @param labels  a volume whose values are labels, whether its file says so or not
 /// @param path    its file, for messages

@@ -182,7 +182,8 @@ void MainWindow::ReadSegmentation(const SceneLabels& labels, int volume)
   this->loader.LoadLabels(labels, this->model.StudyOf(volume));
 }
 
-// A file that is dropped on a scan may be its segmentation. Folders and sessions are opened.
+// A file that is dropped on scans may be a segmentation of one of them, first of all of the chosen
+// one. Folders and sessions are opened.
 void MainWindow::OpenDropped(const QString& path)
 {
   const std::string name = path.toStdString();
@@ -197,7 +198,15 @@ void MainWindow::OpenDropped(const QString& path)
   this->isDropped = true;
   this->labelledVolume = this->model.EditedVolume();
   this->BeginLoading(path);
-  this->loader.LoadBeside(name, this->model.EditedStudy());
+  std::vector<std::shared_ptr<const Study>> scans = { this->model.EditedStudy() };
+  for (int volume = 0; volume < VolumeCount(this->model.CurrentScene()); ++volume)
+  {
+    if (volume != this->model.EditedVolume())
+    {
+      scans.push_back(this->model.StudyOf(volume));
+    }
+  }
+  this->loader.LoadBeside(name, scans);
 }
 
 void MainWindow::ShowSegmentation(
@@ -219,6 +228,7 @@ void MainWindow::ShowSegmentation(
     { { "segments", double(labelled->labels->segments.size()) },
       { "warnings", double(labelled->labels->warnings.size()) } });
   this->ShowLoading(false);
+  this->model.SetEditedVolume(*volume);
   this->model.ShowLabels(labels, labelled, tr("open a segmentation"), *volume);
   this->statusBar()->showMessage(tr("Segments: %1").arg(labelled->labels->segments.size()));
   this->RaiseSegments();

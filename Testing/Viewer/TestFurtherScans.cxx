@@ -1,6 +1,7 @@
 // Further scans in the window: added, checked for their space, saved in sessions.
 
 #include "Answers.h"
+#include "LabelledStudy.h"
 #include "OverlaidStudy.h"
 #include "Scene/Presets.h"
 #include "Scene/SegmentFiles.h"
@@ -251,4 +252,21 @@ TEST_F(FurtherScans, SayThatTheirSegmentsCannotBeRead)
   EXPECT_FALSE(this->Model()->CurrentScene().overlays[0].labels);
   const QStringList warnings = WarningBar::TextsOf(*this->Model()->CurrentStudy());
   EXPECT_EQ(warnings.filter("missing.seg.nrrd").size(), 1) << warnings.join('\n').toStdString();
+}
+
+// The labels of the torso lie within the PET too, but have the voxels of the torso.
+TEST_F(FurtherScans, LeaveADroppedSegmentationToTheScanWithItsGrid)
+{
+  this->OpenTorso();
+  const LoadedVolume& torso = this->Model()->CurrentStudy()->volume;
+  const LabelMap labels = LabelMapOf(LabelsOf(torso.image), "labels.nrrd", torso);
+  const QString file = this->Path("torso.seg.nrrd");
+  WriteSegments(labels, labels.segments, {}, file.toStdString());
+  this->AddPetOfFile();
+  ASSERT_EQ(this->Model()->EditedVolume(), 1);
+  this->Drop(file);
+  EXPECT_TRUE(QTest::qWaitFor(
+    [&] { return this->Model()->CurrentScene().labels.has_value(); }, MostMilliseconds));
+  EXPECT_FALSE(this->Model()->CurrentScene().overlays[0].labels);
+  EXPECT_EQ(this->Model()->EditedVolume(), 0) << "the panel shows them";
 }

@@ -12,10 +12,8 @@
 #include "Viewer/Panels/SegmentsPanel.h"
 
 #include <QAction>
-#include <QDropEvent>
 #include <QFile>
 #include <QLabel>
-#include <QMimeData>
 #include <QPointer>
 #include <QTableWidget>
 
@@ -65,16 +63,6 @@ protected:
     disc.Write("segmentation",
       phantom_dicom::FileBytes(phantom_dicom::Segmentation(
         volume, { { 4, "liver" } }, { { 4, 1, std::vector<int>(20, 1) } })));
-  }
-
-  void Drop(const QString& path)
-  {
-    QMimeData data;
-    data.setUrls({ QUrl::fromLocalFile(path) });
-    QDragEnterEvent enter({ 10, 10 }, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&this->window, &enter);
-    QDropEvent drop({ 10.0, 10.0 }, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&this->window, &drop);
   }
 
   bool AwaitSegments(std::size_t count)

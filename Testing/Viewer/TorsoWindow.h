@@ -7,9 +7,13 @@
 #include "Viewer/View/VolumeView.h"
 #include "Waiting.h"
 
+#include <QApplication>
+#include <QDropEvent>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QUrl>
 
 #include <vtkXMLImageDataWriter.h>
 
@@ -46,6 +50,16 @@ protected:
     QSignalSpy drawn(this->View(), &VolumeView::Drawn);
     ASSERT_TRUE(QTest::qWaitFor(
       [&] { return this->Model()->CurrentStudy() && !drawn.isEmpty(); }, MostMilliseconds));
+  }
+
+  void Drop(const QString& path)
+  {
+    QMimeData data;
+    data.setUrls({ QUrl::fromLocalFile(path) });
+    QDragEnterEvent enter({ 10, 10 }, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&this->window, &enter);
+    QDropEvent drop({ 10.0, 10.0 }, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&this->window, &drop);
   }
 
   QTemporaryDir folder;

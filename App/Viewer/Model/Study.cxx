@@ -50,6 +50,27 @@ std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels)
   return std::make_shared<const Study>(std::move(labelled));
 }
 
+std::shared_ptr<const Study> WithLabelsOnOne(std::vector<std::shared_ptr<const Study>> scans,
+  const LoadedVolume& labels, const std::string& path)
+{
+  std::stable_partition(scans.begin(), scans.end(),
+    [&](const auto& scan) { return AreOnGridOf(labels.image, scan->volume.image); });
+  for (auto scan = scans.begin();; ++scan)
+  {
+    try
+    {
+      return WithLabels(**scan, LabelMapOf(labels, path, (*scan)->volume));
+    }
+    catch (const std::runtime_error&)
+    {
+      if (scan + 1 == scans.end())
+      {
+        throw;
+      }
+    }
+  }
+}
+
 std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTime)
 {
   Study other = scan;

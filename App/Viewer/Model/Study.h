@@ -73,6 +73,12 @@ std::shared_ptr<const Study> WithVolume(
 /// The same volume with other labels.
 std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels);
 
+/// The first of several volumes that labels fit, with the labels. A volume with their grid comes
+/// before all others.
+/// @throws std::runtime_error as LabelMapOf does if they fit none
+std::shared_ptr<const Study> WithLabelsOnOne(std::vector<std::shared_ptr<const Study>> scans,
+  const LoadedVolume& labels, const std::string& path);
+
 /// The same volume with the sizes and statistics of the segments as they are.
 /// @param image    as SharedCopy returns it, in another thread than the window's
 std::shared_ptr<const Study> WithCounts(const Study& study, vtkImageData* image);

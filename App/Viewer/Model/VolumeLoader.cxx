@@ -102,10 +102,11 @@ void VolumeLoader::LoadLabels(const SceneLabels& labels, std::shared_ptr<const S
   this->Start(request);
 }
 
-void VolumeLoader::LoadBeside(const std::string& path, std::shared_ptr<const Study> scan)
+void VolumeLoader::LoadBeside(
+  const std::string& path, const std::vector<std::shared_ptr<const Study>>& scans)
 {
   auto request = std::make_shared<Task>();
-  request->read = [=](const LoadObserver& observe) { return ReadBeside(path, *scan, observe); };
+  request->read = [=](const LoadObserver& observe) { return ReadBeside(path, scans, observe); };
   this->Start(request);
 }
 

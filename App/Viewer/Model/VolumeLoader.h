@@ -41,9 +41,10 @@ public:
   /// Loads labels over a scan.
   void LoadLabels(const SceneLabels& labels, std::shared_ptr<const Study> scan);
 
-  /// Loads a file that may be a segmentation of a scan. Emits LabelsLoaded if the file says that
-  /// its values are labels, PossibleLabelsLoaded if they could be, and otherwise Loaded.
-  void LoadBeside(const std::string& path, std::shared_ptr<const Study> scan);
+  /// Loads a file that may be a segmentation of one of several scans: of one with the grid of the
+  /// file, or else of the first that it fits. Emits LabelsLoaded if the file says that its values
+  /// are labels, PossibleLabelsLoaded if they could be, and otherwise Loaded.
+  void LoadBeside(const std::string& path, const std::vector<std::shared_ptr<const Study>>& scans);
 
   /// Returns immediately. The thread stops at its next progress report; Cancelled is emitted after
   /// two seconds even if there is none.

@@ -159,7 +159,8 @@ Found ReadVolume(const VolumeWish& wish, const LoadObserver& observe, const Show
   return found;
 }
 
-Found ReadBeside(const std::string& path, const Study& scan, const LoadObserver& observe)
+Found ReadBeside(const std::string& path, const std::vector<std::shared_ptr<const Study>>& scans,
+  const LoadObserver& observe)
 {
   Found found;
   found.source = FileSource{ path, std::nullopt };
@@ -168,11 +169,11 @@ Found ReadBeside(const std::string& path, const Study& scan, const LoadObserver&
   const bool areLabels = !volume.segments.empty();
   try
   {
-    found.labelled = WithLabels(scan, LabelMapOf(volume, path, scan.volume));
+    found.labelled = WithLabelsOnOne(scans, volume, path);
   }
   catch (const std::runtime_error&)
   {
-    // They belong to no scan, or to another one.
+    // They belong to none of the scans.
     if (areLabels)
     {
       throw;

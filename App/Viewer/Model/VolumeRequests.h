@@ -42,9 +42,10 @@ using ShowPreview = std::function<void(const VolumeSource&, std::shared_ptr<cons
 /// @throws std::runtime_error as LoadVolume does
 Found ReadVolume(const VolumeWish& wish, const LoadObserver& observe, const ShowPreview& show);
 
-/// Reads a file that may be a segmentation of a scan, see VolumeLoader::LoadBeside.
+/// Reads a file that may be a segmentation of one of several scans, see VolumeLoader::LoadBeside.
 /// @throws std::runtime_error as LoadVolume does
-Found ReadBeside(const std::string& path, const Study& scan, const LoadObserver& observe);
+Found ReadBeside(const std::string& path, const std::vector<std::shared_ptr<const Study>>& scans,
+  const LoadObserver& observe);
 
 }
 
