@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace varimarch
 {
@@ -267,19 +268,18 @@ void CutsPanel::ShowPlanes()
 // A face is named after the side of the patient that is nearest to it.
 void CutsPanel::NameFaces()
 {
-  const QString sides[3][2] = { { tr("Right"), tr("Left") }, { tr("Front"), tr("Back") },
-    { tr("Feet"), tr("Head") } };
+  const std::map<char, QString> sides = { { 'R', tr("Right") }, { 'L', tr("Left") },
+    { 'A', tr("Front") }, { 'P', tr("Back") }, { 'I', tr("Feet") }, { 'S', tr("Head") } };
   vtkMatrix3x3* const directions = this->model->CurrentStudy()->volume.image->GetDirectionMatrix();
   for (int face = 0; face < 6; ++face)
   {
-    const auto along = [&](int axis) { return directions->GetElement(axis, face / 2); };
-    int nearest = 0;
-    for (const int axis : { 1, 2 })
+    const double sign = face % 2 == 0 ? -1.0 : 1.0;
+    std::array<double, 3> outwards;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      nearest = std::abs(along(axis)) > std::abs(along(nearest)) ? axis : nearest;
+      outwards[axis] = sign * directions->GetElement(axis, face / 2);
     }
-    const bool isUpper = (face % 2 == 1) == (along(nearest) > 0.0);
-    this->faceNames[face]->setText(sides[nearest][isUpper ? 1 : 0]);
+    this->faceNames[face]->setText(sides.at(AnatomicalDirection(outwards.data()).front()));
     this->faces[face]->setAccessibleName(this->faceNames[face]->text());
   }
 }
