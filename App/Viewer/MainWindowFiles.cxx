@@ -201,8 +201,9 @@ void MainWindow::ChooseFolder()
 
 void MainWindow::ChooseTimes()
 {
-  const QString path = QFileDialog::getOpenFileName(
-    this, tr("Open files as times: choose one of those that differ in a number"), {}, FileFilter());
+  const QString path = QFileDialog::getOpenFileName(this,
+    tr("Open files as times: choose one of the files whose names differ in a number"), {},
+    FileFilter());
   if (!path.isEmpty())
   {
     this->OpenTimes(path);

@@ -2672,8 +2672,8 @@ Masken nicht unterstützt</translation>
         <translation>Dateien als Zeitpun&amp;kte öffnen…</translation>
     </message>
     <message>
-        <source>Open files as times: choose one of those that differ in a number</source>
-        <translation>Dateien als Zeitpunkte öffnen: eine von denen wählen, die sich in einer Zahl unterscheiden</translation>
+        <source>Open files as times: choose one of the files whose names differ in a number</source>
+        <translation>Dateien als Zeitpunkte öffnen: eine der Dateien wählen, deren Namen sich in einer Zahl unterscheiden</translation>
     </message>
     <message>
         <source>&amp;Two-minute tour</source>
@@ -2985,7 +2985,7 @@ Masken nicht unterstützt</translation>
     </message>
     <message>
         <source>Coarse voxels stay where they change the image by less than half of the error</source>
-        <translation>Grobe Voxel bleiben, wo sie das Bild um weniger als den halben Fehler ändern</translation>
+        <translation>Grobe Voxel bleiben, wo sie das Bild um weniger als den halben Fehler verändern</translation>
     </message>
     <message>
         <source>what is read</source>
@@ -4414,7 +4414,7 @@ ml</translation>
     </message>
     <message>
         <source>Move to the left, to the back, to the head</source>
-        <translation>Nach links, nach hinten, kopfwärts verschieben</translation>
+        <translation>Nach links, nach hinten, zum Kopf verschieben</translation>
     </message>
     <message>
         <source>Turn about these axes</source>

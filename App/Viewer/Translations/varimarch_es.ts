@@ -384,7 +384,7 @@ error desconocido</translation>
         <source>%1
 coarse voxels, error unknown</source>
         <translation>%1
-vóxeles gruesos, error desconocido</translation>
+vóxeles de baja resolución, error desconocido</translation>
     </message>
     <message>
         <source>%1
@@ -1444,11 +1444,11 @@ no admite máscaras</translation>
     </message>
     <message>
         <source>Straightened</source>
-        <translation>Enderezada</translation>
+        <translation>Enderezado</translation>
     </message>
     <message>
         <source>Stretched</source>
-        <translation>Estirada</translation>
+        <translation>Estirado</translation>
     </message>
     <message>
         <source>The context menu chooses between the straightened and the stretched volume</source>
@@ -1456,7 +1456,7 @@ no admite máscaras</translation>
     </message>
     <message>
         <source>, stretched</source>
-        <translation>, estirada</translation>
+        <translation>, estirado</translation>
     </message>
 </context>
 <context>
@@ -2672,8 +2672,8 @@ no admite máscaras</translation>
         <translation>Abrir archivos &amp;de varios tiempos…</translation>
     </message>
     <message>
-        <source>Open files as times: choose one of those that differ in a number</source>
-        <translation>Abrir archivos como tiempos: elija uno de los que difieren en un número</translation>
+        <source>Open files as times: choose one of the files whose names differ in a number</source>
+        <translation>Abrir archivos de varios tiempos: elija uno de los archivos cuyos nombres difieren en un número</translation>
     </message>
     <message>
         <source>&amp;Two-minute tour</source>
@@ -2985,7 +2985,7 @@ no admite máscaras</translation>
     </message>
     <message>
         <source>Coarse voxels stay where they change the image by less than half of the error</source>
-        <translation>Los vóxeles gruesos quedan donde cambian la imagen en menos de la mitad del error</translation>
+        <translation>Los vóxeles de baja resolución se mantienen donde cambian la imagen en menos de la mitad del error</translation>
     </message>
     <message>
         <source>what is read</source>
@@ -4414,11 +4414,11 @@ ml</translation>
     </message>
     <message>
         <source>Move to the left, to the back, to the head</source>
-        <translation>Mover a la izquierda, atrás, a la cabeza</translation>
+        <translation>Mover hacia la izquierda, atrás y la cabeza</translation>
     </message>
     <message>
         <source>Turn about these axes</source>
-        <translation>Girar sobre estos ejes</translation>
+        <translation>Girar alrededor de estos ejes</translation>
     </message>
     <message>
         <source>Several volumes are drawn together as composites, without shadows and ambient occlusion.</source>
