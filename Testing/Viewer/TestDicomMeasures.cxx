@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 
 using namespace varimarch;
 
@@ -67,6 +66,22 @@ protected:
     return "";
   }
 
+  /// The parts of the report that read_measures.py prints; empty if pydicom is not installed.
+  std::optional<QJsonObject> ReadByPydicom()
+  {
+    QProcess python;
+    python.start(VARIMARCH_TEST_PYTHON,
+      { "-B", VARIMARCH_READ_MEASURES, QString::fromStdString(this->Write("sr.dcm")) });
+    EXPECT_TRUE(python.waitForFinished(60000));
+    const QByteArray errors = python.readAllStandardError();
+    if (errors.contains("No module named 'pydicom'"))
+    {
+      return {};
+    }
+    EXPECT_EQ(python.exitCode(), 0) << errors.toStdString();
+    return QJsonDocument::fromJson(python.readAllStandardOutput()).object();
+  }
+
   /// Runs a program that checks or prints the report; empty if it is not installed.
   std::optional<QString> Printed(const QString& program, const QStringList& options = {})
   {
@@ -99,18 +114,12 @@ void ExpectNumber(const QJsonValue& found, const char* name, double value, const
 
 TEST_F(DicomMeasures, AreThoseOfThePatientForOtherPrograms)
 {
-  const std::string path = this->Write("measures.dcm");
-  QProcess python;
-  python.start(
-    VARIMARCH_TEST_PYTHON, { "-B", VARIMARCH_READ_MEASURES, QString::fromStdString(path) });
-  ASSERT_TRUE(python.waitForFinished(60000));
-  const QByteArray errors = python.readAllStandardError();
-  if (errors.contains("No module named 'pydicom'"))
+  const auto report = this->ReadByPydicom();
+  if (!report)
   {
     GTEST_SKIP() << "pydicom is not installed";
   }
-  ASSERT_EQ(python.exitCode(), 0) << errors.toStdString();
-  const QJsonObject found = QJsonDocument::fromJson(python.readAllStandardOutput()).object();
+  const QJsonObject& found = *report;
   EXPECT_EQ(found["class"].toString(), "Comprehensive 3D SR Storage");
   EXPECT_EQ(found["modality"].toString(), "SR");
   EXPECT_EQ(found["title"].toString(), "Imaging Measurement Report");
@@ -137,19 +146,12 @@ TEST_F(DicomMeasures, AreThoseOfThePatientForOtherPrograms)
 TEST_F(DicomMeasures, HaveTheStatisticsOfTheirVoxels)
 {
   this->measures = { this->measures[2] };
-  const std::string path = this->Write("box.dcm");
-  QProcess python;
-  python.start(
-    VARIMARCH_TEST_PYTHON, { "-B", VARIMARCH_READ_MEASURES, QString::fromStdString(path) });
-  ASSERT_TRUE(python.waitForFinished(60000));
-  if (python.readAllStandardError().contains("No module named 'pydicom'"))
+  const auto report = this->ReadByPydicom();
+  if (!report)
   {
     GTEST_SKIP() << "pydicom is not installed";
   }
-  const QJsonObject box = QJsonDocument::fromJson(python.readAllStandardOutput())
-                            .object()["groups"]
-                            .toArray()[0]
-                            .toObject();
+  const QJsonObject box = (*report)["groups"].toArray()[0].toObject();
   EXPECT_EQ(box["comments"].toArray(), QJsonArray{ QString::fromUtf8("Gef\xc3\xa4\xc3\x9f") });
   EXPECT_EQ(box["types"].toArray().size(), 12) << "edges";
   const QJsonArray numbers = box["numbers"].toArray();
