@@ -127,6 +127,7 @@ void MainWindow::MakePanelTabs()
   QToolBar* const bar = this->addToolBar(tr("Titles of panels"));
   bar->setObjectName("panelBar");
   bar->setMovable(false);
+  bar->toggleViewAction()->setVisible(false); // without it, panels would have no titles to click
   auto* const room = new QWidget;
   room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(room);

@@ -14,10 +14,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMenuBar>
 #include <QPointer>
 #include <QPushButton>
 #include <QTextBrowser>
+#include <QToolBar>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -93,6 +95,20 @@ TEST_F(Window, ShowsAllInAViewThatHadNoWidth)
   EXPECT_LT(camera->GetDistance(), 2.0 * distance);
   this->View()->setGeometry(place);
   EXPECT_EQ(camera->GetDistance(), distance);
+}
+
+TEST_F(Window, OffersToHideTheToolsButNotTheTitlesOfPanels)
+{
+  const std::unique_ptr<QMenu> menu(this->window.createPopupMenu());
+  QStringList offered;
+  for (const QAction* const action : menu->actions())
+  {
+    offered << (action->isVisible() ? action->text() : QString());
+  }
+  const auto title = [this](const char* bar)
+  { return this->window.findChild<QToolBar*>(bar)->windowTitle(); };
+  EXPECT_TRUE(offered.contains(title("leftButton")));
+  EXPECT_FALSE(offered.contains(title("panelBar")));
 }
 
 TEST_F(Window, FindsACommandByItsWords)
