@@ -81,6 +81,27 @@ std::string Joined(const std::vector<std::string>& warnings)
 
 }
 
+TEST(LabelMap, IsOnTheGridOfTheScanWhateverFilesRound)
+{
+  const LoadedVolume scan = Scan();
+  const auto labels = vtkSmartPointer<vtkImageData>::New();
+  labels->CopyStructure(scan.image);
+  EXPECT_TRUE(AreOnGridOf(labels, scan.image));
+  labels->SetOrigin(5.0001, -7.0, 11.0);
+  EXPECT_TRUE(AreOnGridOf(labels, scan.image));
+  labels->SetOrigin(5.5, -7.0, 11.0);
+  EXPECT_FALSE(AreOnGridOf(labels, scan.image));
+  labels->CopyStructure(scan.image);
+  labels->SetSpacing(1.0, 1.5, 2.1);
+  EXPECT_FALSE(AreOnGridOf(labels, scan.image));
+  labels->CopyStructure(scan.image);
+  labels->SetDirectionMatrix(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+  EXPECT_FALSE(AreOnGridOf(labels, scan.image));
+  labels->CopyStructure(scan.image);
+  labels->SetDimensions(12, 10, 7);
+  EXPECT_FALSE(AreOnGridOf(labels, scan.image));
+}
+
 TEST(LabelMap, OnTheGridOfTheScanKeepsEveryVoxel)
 {
   const LoadedVolume scan = Scan();
