@@ -274,7 +274,7 @@ void CutsPanel::NameFaces()
   for (int face = 0; face < 6; ++face)
   {
     const double sign = face % 2 == 0 ? -1.0 : 1.0;
-    std::array<double, 3> outwards;
+    std::array<double, 3> outwards = {};
     for (int axis = 0; axis < 3; ++axis)
     {
       outwards[axis] = sign * directions->GetElement(axis, face / 2);
