@@ -1,6 +1,7 @@
 // An image is sent to an archive from the window, with or without the patient.
 
 #include "FakeWebArchive.h"
+#include "Module/PhantomDicom.h"
 #include "Module/PhantomFiles.h"
 #include "Viewer/Archives/ArchiveList.h"
 #include "Viewer/Archives/SendDialog.h"
@@ -36,19 +37,30 @@ protected:
   {
     for (int slice = 0; slice < 3; ++slice)
     {
-      this->scans.Write("scan/" + std::to_string(slice), DicomBytes(phantom::Stored(0), slice));
+      phantom_dicom::Elements elements = phantom_dicom::SliceElements(phantom::Stored(0), slice);
+      elements[0x00200052] = phantom_dicom::Text("UI", "1.2.52"); // frame of reference
+      this->scans.Write("scan/" + std::to_string(slice), phantom_dicom::FileBytes(elements));
     }
     this->window.Open(QString::fromStdString(this->scans.Path("scan")));
     ASSERT_TRUE(QTest::qWaitFor(
       [this] { return this->window.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
   }
 
-  // Sends the image, and returns its file.
+  void MeasureDistance()
+  {
+    this->window.Model()->Edit(ScenePart::Measures, "measure",
+      [](Scene& scene) {
+        scene.measures.push_back({ MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } });
+      });
+  }
+
+  // Sends the image, and the measurements if that is possible. Returns the last file that was sent.
   QByteArray Sent(bool withIdentity)
   {
     this->window.findChild<QAction*>("sendImage")->trigger();
     auto* const dialog = this->window.findChild<SendDialog*>();
     dialog->findChild<QCheckBox*>("identity")->setChecked(withIdentity);
+    dialog->findChild<QCheckBox*>("report")->click(); // does nothing if it is disabled
     dialog->findChild<QPushButton*>("sendImage")->click();
     auto* const status = dialog->findChild<QLabel*>("status");
     EXPECT_TRUE(QTest::qWaitFor(
@@ -80,4 +92,17 @@ TEST_F(Sending, NamesThePatientOnlyIfAsked)
   EXPECT_TRUE(hasElement("20000d00", QByteArray("UI\4\0001.2\0", 8))) << "the study of the scan";
   EXPECT_TRUE(hasElement("08006000", QByteArray("CS\2\0OT", 6))) << "not the scan's modality, CT";
   EXPECT_FALSE(named.contains("No attribute of the scan is copied"));
+}
+
+TEST_F(Sending, AddsTheMeasurementsOfThePatientAsAReport)
+{
+  constexpr const char* ReportStorage = "1.2.840.10008.5.1.4.1.1.88.34"; // Comprehensive 3D SR
+  this->OpenScan();
+  EXPECT_FALSE(this->Sent(true).contains(ReportStorage)) << "nothing is measured";
+  this->MeasureDistance();
+  EXPECT_FALSE(this->Sent(false).contains(ReportStorage)) << "it would name the patient";
+  const QByteArray report = this->Sent(true);
+  EXPECT_TRUE(report.contains(ReportStorage));
+  EXPECT_TRUE(report.contains("Doe^Jane"));
+  EXPECT_TRUE(report.contains("SCOORD3D"));
 }

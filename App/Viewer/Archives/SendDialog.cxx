@@ -51,7 +51,7 @@ struct Parcel
   PictureOrigin origin;
   std::optional<FileSource> scan; ///< the scan whose patient the image names; empty: nobody
   std::vector<Measure> measures;  ///< to send as a report of the scan
-  LoadedVolume volume;            ///< that they are of
+  LoadedVolume volume;            ///< the volume in which they were taken
 };
 
 void SendParcel(Parcel parcel, Archive& archive, const TaskProgress& goesOn)
