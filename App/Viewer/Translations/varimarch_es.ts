@@ -4414,7 +4414,7 @@ ml</translation>
     </message>
     <message>
         <source>Move to the left, to the back, to the head</source>
-        <translation>Mover hacia la izquierda, atrás y la cabeza</translation>
+        <translation>Mover a la izquierda, atrás y a la cabeza</translation>
     </message>
     <message>
         <source>Turn about these axes</source>
