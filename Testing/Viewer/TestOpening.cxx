@@ -20,7 +20,6 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -143,8 +142,8 @@ TEST_F(Opening, ACoarseCopyIsShownUntilALargeVolumeHasBeenRead)
   ASSERT_TRUE(model->CurrentStudy()->volume.isPreview);
   EXPECT_TRUE(this->WarningText().contains("A coarse copy"));
   model->Edit(ScenePart::Camera, "zoom", [](Scene& scene) { scene.camera.zoom = 2.0; });
-  ASSERT_TRUE(QTest::qWaitFor(
-    [=] { return model->CurrentStudy()->volume.isOnDisk; }, 10 * MostMilliseconds));
+  ASSERT_TRUE(
+    QTest::qWaitFor([=] { return model->CurrentStudy()->volume.isOnDisk; }, 10 * MostMilliseconds));
   ChooseMemoryGigabytes(0);
   EXPECT_EQ(model->CurrentScene().camera.zoom, 2.0);
 }
@@ -375,22 +374,6 @@ TEST_F(Opening, KeepsPatientDataOutOfTheLog)
   }
 }
 
-TEST_F(Opening, SaysOnceThatItIsNotForDiagnosticUse)
-{
-  QSettings().remove("notice/read");
-  this->window.ShowNoticeOnce();
-  auto* const notice = this->window.findChild<QMessageBox*>("notice");
-  ASSERT_TRUE(notice);
-  EXPECT_TRUE(notice->text().contains("Not for diagnostic use"));
-  MainWindow again;
-  again.ShowNoticeOnce();
-  EXPECT_TRUE(again.findChild<QMessageBox*>("notice")) << "the notice has not been confirmed yet";
-  notice->buttons().first()->click();
-  MainWindow later;
-  later.ShowNoticeOnce();
-  EXPECT_FALSE(later.findChild<QMessageBox*>("notice"));
-}
-
 TEST_F(Opening, CanBeClosedWhileItAsks)
 {
   this->WriteSeries("1.2.33", 2);
@@ -398,18 +381,4 @@ TEST_F(Opening, CanBeClosedWhileItAsks)
   this->Open("DOE^JANE");
   ASSERT_TRUE(this->Awaited<SeriesPicker>());
   this->window.close();
-}
-
-TEST_F(Opening, AsksForAFileAtStartOnlyIfTheUserWantsThat)
-{
-  this->folder.Write("head.nii", NiftiBytes(phantom::Stored(0)));
-  const Answers answers(QMessageBox::Ok, QString::fromStdString(this->folder.Path("head.nii")));
-  this->window.OfferFileAtStart();
-  QTest::qWait(200);
-  EXPECT_FALSE(this->window.Loader()->IsLoading() || this->window.Model()->CurrentStudy());
-  this->window.findChild<QAction*>("askAtStart")->trigger();
-  this->window.OfferFileAtStart();
-  ASSERT_TRUE(QTest::qWaitFor(
-    [this] { return this->window.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
-  EXPECT_TRUE(MainWindow().findChild<QAction*>("askAtStart")->isChecked()) << "remembered";
 }

@@ -150,13 +150,12 @@ void SendDialog::Send()
     const Scene scene = this->model->CurrentScene();
     PictureMaker maker(
       scene, *this->model->CurrentStudy(), { this->pixels, false, this->overlay->isChecked() });
-    const vtkSmartPointer<vtkImageData> picture = BytesOfImage(maker.Draw());
-    const auto* const file = std::get_if<FileSource>(&scene.volume);
-    Parcel parcel = { picture, { scene.render, MapperKind::Varimarch }, {}, {},
+    Parcel parcel = { BytesOfImage(maker.Draw()), { scene.render, MapperKind::Varimarch }, {}, {},
       this->model->CurrentStudy()->volume };
     parcel.origin.isPreview = parcel.volume.isPreview;
     parcel.volume.image = SharedCopy(parcel.volume);
-    if (this->identity->isChecked() && file)
+    if (const auto* const file = std::get_if<FileSource>(&scene.volume);
+        file && this->identity->isChecked())
     {
       parcel.scan = *file;
     }
