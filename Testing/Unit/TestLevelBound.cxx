@@ -136,7 +136,8 @@ public:
       { glm::dvec3(0.0), glm::dvec3(PacketPictures::Dimensions - 1) }, false };
   }
 
-  /// The largest difference of a pixel from that of the voxels, less its bound.
+  /// The largest difference of a pixel from that of the voxels, less its bound. Colours end at 1,
+  /// as they do on a screen.
   double MostBeyond(const BlockLevels& levels)
   {
     return this->MostBeyond(this->Draw(levels), LevelBounds(this->Scene(), levels));
@@ -148,7 +149,8 @@ public:
     double most = -1.0;
     for (std::size_t i = 0; i < exact.size(); ++i)
     {
-      most = std::max(most, std::abs(double(exact[i]) - drawn[i]) - bounds[i / 4]);
+      const double difference = std::min(exact[i], 1.0f) - double(std::min(drawn[i], 1.0f));
+      most = std::max(most, std::abs(difference) - bounds[i / 4]);
     }
     return most;
   }

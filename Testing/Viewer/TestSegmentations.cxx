@@ -307,7 +307,8 @@ TEST_F(Segmentations, OfAnAddedScanThatIsRemovedMeanwhileAreGivenToNoOther)
   this->OpenTorso();
   const QString file = this->WriteSegmentation();
   AddPet(*this->Model());
-  this->Drop(file);
+  const Answers named(QMessageBox::Ok, file);
+  this->window.findChild<QPushButton*>("openSegmentation")->click();
   ASSERT_TRUE(this->window.Loader()->IsLoading());
   this->Model()->RemoveOverlay(0, "remove");
   ASSERT_TRUE(

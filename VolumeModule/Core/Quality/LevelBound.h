@@ -25,7 +25,8 @@ struct LevelBoundScene
 };
 
 /// Bounds of the error of the levels of blocks, one for each pixel: how far a premultiplied channel
-/// or the opacity can be from that of the voxels, [0, 1]. They need no voxel.
+/// or the opacity can be from that of the voxels, [0, 1], where colours above 1 count as 1. They
+/// need no voxel.
 ///
 /// Along a ray from behind, the composite C of extinction s and colour c has dC = s (c - C) dt.
 /// Between bounds of s and c it is monotone in both, so that the composites of extremes hold all
