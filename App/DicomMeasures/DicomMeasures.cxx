@@ -240,13 +240,10 @@ void AddImages(const std::vector<std::string>& images, DSRDocument& document, Co
   {
     DcmFileFormat file = ImageOfScan(image);
     DcmDataset& scan = *file.getDataset();
-    OFString classUid;
-    OFString instanceUid;
-    scan.findAndGetOFString(DCM_SOPClassUID, classUid);
-    scan.findAndGetOFString(DCM_SOPInstanceUID, instanceUid);
+    const ImageUids uids = UidsOf(scan);
     Require(document.getCurrentRequestedProcedureEvidence().addItem(scan), content.Path());
     Require(content.Enter(DSRTypes::RT_contains, DSRTypes::VT_Image, Code())
-              .setImageReference(DSRImageReferenceValue(classUid, instanceUid)),
+              .setImageReference(DSRImageReferenceValue(uids.ofClass, uids.ofInstance)),
       content.Path());
     content.Leave();
   }

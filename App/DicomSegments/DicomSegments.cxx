@@ -79,13 +79,10 @@ SourceImage SourceOf(const std::string& image)
 {
   DcmFileFormat file = ImageOfScan(image);
   DcmDataset& scan = *file.getDataset();
-  OFString classUid;
-  OFString instanceUid;
-  scan.findAndGetOFString(DCM_SOPClassUID, classUid);
-  scan.findAndGetOFString(DCM_SOPInstanceUID, instanceUid);
+  const ImageUids uids = UidsOf(scan);
   SourceImage source;
-  source.reference.setReferencedSOPClassUID(classUid);
-  source.reference.setReferencedSOPInstanceUID(instanceUid);
+  source.reference.setReferencedSOPClassUID(uids.ofClass);
+  source.reference.setReferencedSOPInstanceUID(uids.ofInstance);
   glm::dvec3 place;
   const bool hasPlace = scan.findAndGetFloat64(DCM_ImagePositionPatient, place.x, 0).good() &&
     scan.findAndGetFloat64(DCM_ImagePositionPatient, place.y, 1).good() &&

@@ -34,6 +34,14 @@ DcmFileFormat ImageOfScan(const std::string& image)
   return file;
 }
 
+ImageUids UidsOf(DcmDataset& image)
+{
+  ImageUids uids;
+  image.findAndGetOFString(DCM_SOPClassUID, uids.ofClass);
+  image.findAndGetOFString(DCM_SOPInstanceUID, uids.ofInstance);
+  return uids;
+}
+
 OFString Decimal(double number)
 {
   std::array<char, 32> text;

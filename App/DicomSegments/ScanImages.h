@@ -20,6 +20,15 @@ void RequireNoImage(const std::vector<std::string>& images, const std::string& p
 /// @throws std::runtime_error if it cannot be read
 DcmFileFormat ImageOfScan(const std::string& image);
 
+/// The identifiers of an image and of its kind, by which other objects refer to it.
+struct ImageUids
+{
+  OFString ofClass;
+  OFString ofInstance;
+};
+
+ImageUids UidsOf(DcmDataset& image);
+
 /// A number as a decimal string of DICOM, which has at most 16 characters.
 OFString Decimal(double number);
 

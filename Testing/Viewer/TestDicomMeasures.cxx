@@ -1,7 +1,7 @@
 // Measurements written as a DICOM structured report: pydicom, DCMTK and dicom3tools read them back.
 
 #include "DicomMeasures/DicomMeasures.h"
-#include "Module/PhantomDicom.h"
+#include "ScanOfPatient.h"
 #include "Scene/MeasureKinds.h"
 #include "Scene/VolumeLoading.h"
 
@@ -25,17 +25,7 @@ class DicomMeasures : public testing::Test
 protected:
   DicomMeasures()
   {
-    for (int slice = 0; slice < 3; ++slice)
-    {
-      phantom_dicom::Elements elements = phantom_dicom::SliceElements(phantom::Stored(0), slice);
-      elements[0x00080005] = phantom_dicom::Text("CS", "ISO_IR 100");
-      elements[0x00080060] = phantom_dicom::Text("CS", "CT");
-      elements[0x00100010] = phantom_dicom::Text("PN", "M\xfcller^Ute");
-      elements[0x0020000d] = phantom_dicom::Text("UI", "1.2.77");
-      elements[0x00200052] = phantom_dicom::Text("UI", "1.2.52");
-      this->images.push_back(
-        this->folder.Write("slice" + std::to_string(slice), phantom_dicom::FileBytes(elements)));
-    }
+    this->images = WriteScanOfPatient(this->folder);
     this->scan = LoadVolume(FileSource{ this->folder.Path(""), std::nullopt });
     std::array<double, 3> first;
     std::array<double, 3> last;

@@ -1,7 +1,7 @@
 // Segments written as DICOM: our reader and pydicom find the same segments of the same patient.
 
 #include "DicomSegments/DicomSegments.h"
-#include "Module/PhantomDicom.h"
+#include "ScanOfPatient.h"
 
 #include <vtkImageData.h>
 
@@ -26,16 +26,7 @@ class DicomSegments : public testing::Test
 protected:
   DicomSegments()
   {
-    for (int slice = 0; slice < 3; ++slice)
-    {
-      phantom_dicom::Elements elements = phantom_dicom::SliceElements(phantom::Stored(0), slice);
-      elements[0x00080005] = phantom_dicom::Text("CS", "ISO_IR 100");
-      elements[0x00100010] = phantom_dicom::Text("PN", "M\xfcller^Ute");
-      elements[0x0020000d] = phantom_dicom::Text("UI", "1.2.77");
-      elements[0x00200052] = phantom_dicom::Text("UI", "1.2.52");
-      this->images.push_back(
-        this->folder.Write("slice" + std::to_string(slice), phantom_dicom::FileBytes(elements)));
-    }
+    this->images = WriteScanOfPatient(this->folder);
     this->scan = LoadVolume(FileSource{ this->folder.Path(""), std::nullopt });
     this->labels.image = vtkSmartPointer<vtkImageData>::New();
     this->labels.image->CopyStructure(this->scan.image);
