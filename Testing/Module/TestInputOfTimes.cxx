@@ -8,8 +8,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <vector>
 
@@ -64,34 +62,4 @@ TEST(InputOfTimes, GrowsNoMemoryInAThousandFrames)
   EXPECT_LE(scene.mapper->GetGraphicsMemoryBytes(), graphicsAfterHundred);
   // A copy of each of the 900 volumes of 69 kB would be 62 MB; heaps vary by a few.
   EXPECT_LT(ResidentBytes() - afterHundred, 8e6);
-}
-
-TEST(InputOfTimes, ReusesTheStepsOfOneTimeForTheNextFew)
-{
-  const auto times = Times();
-  MapperScene scene(times.front(), 64);
-  scene.mapper->SetErrorTolerance(1.0 / 64.0);
-  const auto draw = [&](int time)
-  {
-    scene.mapper->SetInputData(times[std::size_t(time)]);
-    return scene.DrawByProcessor();
-  };
-  for (int time = 0; time < timeCount - 1; ++time)
-  {
-    draw(time);
-  }
-  // The first two are no series yet; then there is one for each eight.
-  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 4);
-  const std::vector<float> played = draw(timeCount - 1);
-  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 4);
-  scene.DrawByProcessor();
-  EXPECT_EQ(scene.mapper->GetToleranceSearches(), 5) << "a still image has steps of its own";
-  scene.mapper->SetErrorTolerance(1.0 / 1024.0);
-  const std::vector<float> exact = scene.DrawByProcessor();
-  double largest = 0.0;
-  for (std::size_t i = 0; i < exact.size(); ++i)
-  {
-    largest = std::max(largest, std::abs(double(exact[i]) - played[i]));
-  }
-  EXPECT_LT(largest, 1.0 / 64.0);
 }

@@ -48,6 +48,18 @@ double AddressOf(const void* object)
   return double(reinterpret_cast<std::uintptr_t>(object));
 }
 
+// The arrays that are drawn, and their times. Another array of the same image has no other time.
+Numbers VoxelsOf(const VoxelInput& voxels)
+{
+  Numbers numbers = { double(voxels.time), AddressOf(voxels.mask.labels), double(voxels.mask.time),
+    TimeOf(voxels.blanking.points), TimeOf(voxels.blanking.cells) };
+  for (const VoxelComponent& component : voxels.components)
+  {
+    Append(numbers, { AddressOf(component.array), double(component.index) });
+  }
+  return numbers;
+}
+
 // The lights, if anything is lit.
 Numbers LightsOf(const Frame& frame)
 {
@@ -120,14 +132,13 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
   return numbers;
 }
 
-// Everything that extinction depends on but the voxels.
-Numbers ExtinctionOfAnyVoxels(const Frame& frame)
+}
+
+std::vector<double> ExtinctionFingerprint(const Frame& frame)
 {
   vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
-  const VoxelInput& voxels = frame.voxels;
-  Numbers numbers = { AddressOf(voxels.mask.labels), double(voxels.mask.time),
-    TimeOf(voxels.blanking.points), TimeOf(voxels.blanking.cells) };
+  Numbers numbers = VoxelsOf(frame.voxels);
   Append(numbers,
     { double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 });
   Append(numbers, frame.material.NumbersOfExtinction());
@@ -136,38 +147,11 @@ Numbers ExtinctionOfAnyVoxels(const Frame& frame)
   return numbers;
 }
 
-}
-
-// Another array of the same image has no other time.
-std::vector<double> VoxelFingerprint(const VoxelInput& voxels)
-{
-  Numbers numbers = { double(voxels.time) };
-  for (const VoxelComponent& component : voxels.components)
-  {
-    Append(numbers, { AddressOf(component.array), double(component.index) });
-  }
-  return numbers;
-}
-
-std::vector<double> ExtinctionFingerprint(const Frame& frame)
-{
-  Numbers numbers = VoxelFingerprint(frame.voxels);
-  Append(numbers, ExtinctionOfAnyVoxels(frame));
-  return numbers;
-}
-
-std::vector<double> LookFingerprint(const Frame& frame)
-{
-  Numbers numbers = ExtinctionOfAnyVoxels(frame);
-  Append(numbers, frame.material.OtherNumbers());
-  Append(numbers, LightsOf(frame));
-  return numbers;
-}
-
 std::vector<double> VolumeFingerprint(const Frame& frame)
 {
-  Numbers numbers = VoxelFingerprint(frame.voxels);
-  Append(numbers, LookFingerprint(frame));
+  Numbers numbers = ExtinctionFingerprint(frame);
+  Append(numbers, frame.material.OtherNumbers());
+  Append(numbers, LightsOf(frame));
   return numbers;
 }
 

@@ -9,13 +9,6 @@ namespace varimarch
 {
 
 struct Frame;
-struct VoxelInput;
-
-/// The arrays that are drawn, and their time, as numbers.
-std::vector<double> VoxelFingerprint(const VoxelInput& voxels);
-
-/// Everything but the voxels that an image depends on in any view, as VolumeFingerprint.
-std::vector<double> LookFingerprint(const Frame& frame);
 
 /// Everything in a volume and its look that the part of a light depends on that it lets through.
 std::vector<double> ExtinctionFingerprint(const Frame& frame);

@@ -7,7 +7,6 @@
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/FrameMeasures.h"
 #include "Frame/PropertyTransferFunction.h"
-#include "Frame/SceneFingerprint.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,9 +86,6 @@ constexpr double CertainlyMissed = 4.0;
 constexpr double NearMove = 0.05;
 constexpr double NearbyPart = 0.9;
 
-// The number of images with new voxels each that a choice serves, in the same way.
-constexpr int ImagesOfAChoice = 8;
-
 // The image with its colours set to 0: opacity does not depend on light.
 std::vector<float> OpacityOf(std::vector<float> picture)
 {
@@ -138,7 +134,7 @@ std::vector<double> RuleInputsOf(const VolumeMarch& march)
 // The inputs of a volume that the image depends on in any view, besides those of the rule.
 std::vector<double> SceneInputsOf(const VolumeMarch& march)
 {
-  std::vector<double> inputs = LookFingerprint(march.frame);
+  std::vector<double> inputs = march.frame.fingerprint;
   inputs.insert(inputs.end(),
     { double(march.plan.viewport.width), double(march.plan.viewport.height),
       double(march.settings.occlusion), double(march.frame.levelRound) });
@@ -162,8 +158,7 @@ StepRange RangeOf(const VolumeMarch& march)
 
 bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
 {
-  if (!this->HasRuleOf(other) || this->scene != other.scene ||
-    this->view.size() != other.view.size())
+  if (!this->HasSceneOf(other) || this->view.size() != other.view.size())
   {
     return false;
   }
@@ -181,26 +176,14 @@ void ToleranceInputs::Add(const VolumeMarch& march, const VolumeBuilds& builds)
   { inputs.insert(inputs.end(), more.begin(), more.end()); };
   append(this->recipe, RecipeOf(march.frame));
   append(this->rule, RuleInputsOf(march));
-  append(this->voxels, VoxelFingerprint(march.frame.voxels));
   this->voxels.push_back(builds.volumeTexture);
   append(this->scene, SceneInputsOf(march));
   this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
 }
 
-bool ToleranceSearch::ServesStill(const ToleranceInputs& inputs) const
-{
-  const ToleranceInputs& known = this->choice->inputs;
-  return this->viewRests ? known == inputs : known.voxels == inputs.voxels && known.IsNear(inputs);
-}
-
-bool ToleranceSearch::ServesSeries(const ToleranceInputs& inputs) const
-{
-  return this->choiceAge < ImagesOfAChoice && this->choice->inputs.IsNear(inputs);
-}
-
-// While the view moves, a choice is reused for nearby views, and while times are played, for the
-// next few of them. A view of the same voxels at rest gets a choice of its own.
+// While the view moves, a choice is reused for nearby views. A view at rest gets a choice of its
+// own.
 void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& volume,
   const ToleranceInputs& inputs, const TrialDrawing& draw)
 {
@@ -211,14 +194,12 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
     this->isSeries = areNew && this->voxelsWereNew;
     this->voxelsWereNew = areNew;
     this->voxels = inputs.voxels;
-    ++this->choiceAge;
   }
   this->view = inputs.view;
-  const bool serves =
-    this->choice && (this->isSeries ? this->ServesSeries(inputs) : this->ServesStill(inputs));
+  const bool serves = this->choice &&
+    (this->viewRests ? this->choice->inputs == inputs : this->choice->inputs.IsNear(inputs));
   if (!serves)
   {
-    this->choiceAge = 0;
     this->choice =
       this->ChooseSteps({ march, volume, draw, march.plan.budget.StepLimit() }, inputs);
     ++this->searches;
@@ -228,9 +209,8 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
 double ToleranceSearch::SampleDistanceInViewMm() const
 {
   const StepChoice& step = this->choice->step;
-  const ToleranceInputs& inputs = this->choice->inputs;
-  const bool isOfThisImage = inputs.view == this->view && inputs.voxels == this->voxels;
-  return isOfThisImage ? step.sampleDistance : NearbyPart * step.sampleDistance;
+  return this->choice->inputs.view == this->view ? step.sampleDistance
+                                                 : NearbyPart * step.sampleDistance;
 }
 
 const std::vector<float>& ToleranceSearch::Trial::Draw(

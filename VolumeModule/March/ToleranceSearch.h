@@ -20,7 +20,7 @@ struct ToleranceInputs
 {
   std::vector<std::string> recipe; ///< The shader files of the request.
   std::vector<double> rule;        ///< Other inputs of the choice of the rule, without voxels.
-  std::vector<double> voxels;      ///< The arrays and the build number of each volume.
+  std::vector<int> voxels;         ///< The build number of the voxels of each volume.
   std::vector<double> scene;       ///< Other inputs of the image in any view.
   std::vector<CornersClip> view;   ///< The corners of the volumes in the view.
 
@@ -31,12 +31,15 @@ struct ToleranceInputs
   {
     return this->recipe == other.recipe && this->rule == other.rule;
   }
+  bool HasSceneOf(const ToleranceInputs& other) const
+  {
+    return this->HasRuleOf(other) && this->voxels == other.voxels && this->scene == other.scene;
+  }
   bool operator==(const ToleranceInputs& other) const
   {
-    return this->HasRuleOf(other) && this->voxels == other.voxels && this->scene == other.scene &&
-      this->view == other.view;
+    return this->HasSceneOf(other) && this->view == other.view;
   }
-  /// True if the scene is the same but for the voxels, and the view nearly the same.
+  /// True if the scene is the same, and the view nearly the same.
   bool IsNear(const ToleranceInputs& other) const;
 };
 
@@ -63,10 +66,10 @@ public:
     const ToleranceInputs& inputs, const TrialDrawing& draw);
   void Forget() { this->choice.reset(); }
 
-  /// The choice for the last image, or for an earlier one from nearly the same view, or of another
-  /// of the times that are played. Empty if the last image had no tolerance.
+  /// The choice for the last image, or for an earlier one from nearly the same view. Empty if the
+  /// last image had no tolerance.
   const std::optional<ToleranceChoice>& Choice() const { return this->choice; }
-  /// The chosen sample distance, scaled to the present image [mm]. Requires a Choice().
+  /// The chosen sample distance, scaled to the present view [mm]. Requires a Choice().
   double SampleDistanceInViewMm() const;
   int Searches() const { return this->searches; } ///< The number of searches so far.
 
@@ -93,8 +96,6 @@ private:
     MarchPlan PlanOf(bool isLit, Integration integration, double distanceMm) const;
   };
 
-  bool ServesStill(const ToleranceInputs& inputs) const;
-  bool ServesSeries(const ToleranceInputs& inputs) const;
   ToleranceChoice ChooseSteps(Trial trial, const ToleranceInputs& inputs) const;
   /// True if pre-integration might keep the limit in less time than midpoints.
   /// @param finest  see FoundSteps
@@ -108,10 +109,9 @@ private:
   std::optional<ToleranceChoice> choice;
   std::vector<CornersClip> view; ///< The view of the last image with a tolerance.
   bool viewRests = false;        ///< True if the previous image had the same view.
-  std::vector<double> voxels;    ///< The voxels of the last image.
+  std::vector<int> voxels;       ///< The build numbers of the voxels of the last image.
   bool voxelsWereNew = false;    ///< True if they were not those of the image before it.
   bool isSeries = false;         ///< True if the last two images had new voxels.
-  int choiceAge = 0;             ///< The number of images of the series since the choice.
   int searches = 0;
 };
 
