@@ -68,3 +68,14 @@ TEST_F(FlatParameters, OfSeveralVolumesStayInTheirBlocks)
   EXPECT_EQ(this->fragment.size(), 2);
   EXPECT_EQ(this->vertex[0].text, "void PassParameters() {}\n");
 }
+
+TEST_F(FlatParameters, AreFoundInABlockOfAnyLength)
+{
+  std::string members;
+  for (int i = 0; i < 50000; ++i)
+  {
+    members += "  vec3 unused" + std::to_string(i) + ";\n";
+  }
+  EXPECT_EQ(
+    this->Passed(members + "  vec3 size;\n"), "flat in vec3 sizeFlat;\n#define size sizeFlat\n");
+}

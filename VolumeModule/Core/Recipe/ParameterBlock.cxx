@@ -5,17 +5,31 @@
 namespace varimarch
 {
 
+namespace
+{
+
+// The text between the braces of the uniform block; empty without a block. std::regex calls itself
+// for each character that a repetition matches, so that a long body must not be matched by one.
+std::string BodyOfBlock(const std::string& text)
+{
+  static const std::regex head(R"(layout\(std140\) uniform \w+\s*\{)");
+  std::smatch found;
+  if (!std::regex_search(text, found, head))
+  {
+    return {};
+  }
+  const std::size_t begin = std::size_t(found.position() + found.length());
+  const std::size_t end = text.find("};", begin);
+  return end == std::string::npos ? std::string() : text.substr(begin, end - begin);
+}
+
+}
+
 std::vector<BlockMember> MembersOf(const std::string& text)
 {
-  static const std::regex block(R"(layout\(std140\) uniform \w+\s*\{([^}]*)\};)");
   static const std::regex declaration(R"(\n\s*(\w+) (\w+)(?:\[(\d+)\])?;)");
   std::vector<BlockMember> members;
-  std::smatch found;
-  if (!std::regex_search(text, found, block))
-  {
-    return members;
-  }
-  const std::string body = found[1];
+  const std::string body = BodyOfBlock(text);
   for (std::sregex_iterator member(body.begin(), body.end(), declaration), none; member != none;
        ++member)
   {
