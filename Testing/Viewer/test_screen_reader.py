@@ -56,10 +56,20 @@ def has(accessible, *states):
     return all(found.contains(state) for state in states)
 
 
+def ask(condition):
+    """The result of a condition, or None if an accessible that it asks has gone meanwhile."""
+    from gi.repository import GLib
+
+    try:
+        return condition()
+    except GLib.GError:
+        return None
+
+
 def wait_for(condition, what):
     end = time.monotonic() + MOST_SECONDS
     while time.monotonic() < end:
-        found = condition()
+        found = ask(condition)
         if found:
             return found
         time.sleep(0.2)
@@ -120,7 +130,7 @@ EMPTY_ROLES = {"filler", "unknown", "invalid", "panel", "redundant object", "fra
 
 
 def faults(viewer):
-    """What is wrong with the controls on the screen that take keys, and how many there are."""
+    """The faults of the controls on the screen that take keys, and the number of these controls."""
     import pyatspi
 
     found, count = [], 0
@@ -139,16 +149,20 @@ def faults(viewer):
     return found, count
 
 
-def every_control_has_a_name_and_a_role(viewer):
+def tabs_of_panels(viewer):
     import pyatspi
 
-    tabs = {tab.name for tab in descendants(viewer.application) if tab.getRole() == pyatspi.ROLE_PAGE_TAB}
+    return {tab.name for tab in descendants(viewer.application) if tab.getRole() == pyatspi.ROLE_PAGE_TAB}
+
+
+def every_control_has_a_name_and_a_role(viewer):
+    tabs = wait_for(lambda: tabs_of_panels(viewer), "there are panels")
     assert len(tabs) == 7, f"there are the panels {tabs}"
     wrong = set()
     for tab in tabs:
         viewer.do("page tab", tab, "Press")
         time.sleep(0.5)
-        found, count = faults(viewer)
+        found, count = wait_for(lambda: faults(viewer), f"the controls with the panel {tab} stay")
         assert count > 30, f"only {count} controls with the panel {tab}"
         wrong.update(found)
     assert not wrong, "\n".join(sorted(wrong))
