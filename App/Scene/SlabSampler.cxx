@@ -17,7 +17,9 @@ SlabSampler::SlabSampler(vtkImageData* image, const SlabLook& look)
 {
   const double* const spacing = image->GetSpacing();
   this->stepMm = 0.5 * std::min({ spacing[0], spacing[1], spacing[2] });
-  this->steps = int(std::ceil(0.5 * look.slabMm / this->stepMm));
+  // Farther from the middle of the slab than the volume is long there are no samples.
+  const double halfMm = std::min(0.5 * look.slabMm, image->GetLength());
+  this->steps = int(std::ceil(halfMm / this->stepMm));
   this->interpolator->SetInterpolationModeToLinear();
   this->interpolator->SetComponentCount(1); // volumes of colours have several
   this->interpolator->Initialize(image);

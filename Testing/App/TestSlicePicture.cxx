@@ -146,6 +146,13 @@ TEST(SlicePicture, SlabShowsItsLargestValue)
   EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, -3), request), 0, 0), 255);
 }
 
+TEST(SlicePicture, SlabThickerThanTheVolumeShowsAllOfIt)
+{
+  SliceRequest request = Request(SlicePlane::Axial);
+  request.slabMm = 1e300; // sessions may say so
+  EXPECT_EQ(Pixel(SlicePicture(OneVoxel(0, 0, 10), request), 0, 0), 255);
+}
+
 TEST(SlicePicture, SlabShowsItsLargestSmallestOrMeanValue)
 {
   SliceRequest request = Request(SlicePlane::Axial);
