@@ -13,9 +13,6 @@ namespace varimarch
 namespace
 {
 
-// Larger than the files that programs write.
-constexpr std::uintmax_t MostBytes = 16 << 20;
-
 [[noreturn]] void Fail(const std::string& path, const std::string& reason)
 {
   throw std::runtime_error(path + ": cannot be read: " + reason);
@@ -38,7 +35,7 @@ std::string BytesOfSmallFile(const std::string& path)
   {
     Fail(path, std::strerror(errno));
   }
-  if (std::filesystem::file_size(path, error) > MostBytes && !error)
+  if (std::filesystem::file_size(path, error) > MostBytesOfSmallFile && !error)
   {
     Fail(path, "it is larger than 16 MB, and so neither a scene nor a look");
   }

@@ -209,6 +209,17 @@ TEST_F(Sessions, KeepThePermissionsOfTheFileTheyReplace)
   EXPECT_FALSE(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther));
 }
 
+TEST_F(Sessions, ThatCouldNotBeOpenedAgainLeaveTheFileAsItWas)
+{
+  const QString file = this->folder.filePath("session.json");
+  WriteScene(this->model.CurrentScene(), file);
+  Scene large = this->model.CurrentScene();
+  const std::vector<std::array<double, 3>> points(2000000);
+  large.measures = { { MeasureKind::Freehand, points } };
+  EXPECT_THROW(WriteScene(large, file), std::runtime_error);
+  EXPECT_TRUE(ReadScene(file.toStdString()).measures.empty());
+}
+
 TEST_F(Sessions, AreAutosavedWithTheSegmentsOfEachVolume)
 {
   Autosave autosave(&this->model, this->copies);

@@ -5,6 +5,7 @@
 #include "Scene/SceneFile.h"
 #include "Scene/SceneVolumes.h"
 #include "Scene/SegmentFiles.h"
+#include "Scene/SmallFile.h"
 
 #include <vtkImageData.h>
 
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 
 namespace varimarch
 {
@@ -47,7 +49,14 @@ QStringList CopiesIn(const QString& folder)
 
 void WriteScene(const Scene& scene, const QString& path)
 {
-  WriteFileWhole(path.toStdString(), SceneText(scene));
+  const std::string text = SceneText(scene);
+  if (text.size() > MostBytesOfSmallFile)
+  {
+    throw std::runtime_error(path.toStdString() + ": cannot be saved: the session has " +
+      std::to_string(text.size() >> 20) +
+      " MB, and one of more than 16 MB could not be opened again; delete some of its measurements");
+  }
+  WriteFileWhole(path.toStdString(), text);
 }
 
 QString WorkText(const Scene& scene, const Study& study)

@@ -19,8 +19,8 @@
 namespace varimarch
 {
 
-/// Writes a scene to a file, which is never left incomplete. @throws std::runtime_error that names
-/// the file
+/// Writes a scene to a file, which is never left incomplete.
+/// @throws std::runtime_error that names the file, also if the scene is too large to be read again
 void WriteScene(const Scene& scene, const QString& path);
 
 /// The part of a scene that is a user's work: cuts, measurements, lights, a look other than a
