@@ -14,7 +14,8 @@ struct TimesCost
 {
   int frames = 0;
   double stillMs = 0.0; ///< median time of a frame of the same voxels from another side
-  double newMs = 0.0;   ///< median time of a frame of new voxels
+  double newMs = 0.0;   ///< median time of a frame of voxels that were not drawn before
+  double againMs = 0.0; ///< median time of a frame of other voxels that were; 0 without any
   double fieldMs = 0.0; ///< median time for the field of new voxels, a part of the former
   double residentMegabytesAtFirst =
     0.0; ///< memory of the process when each time, or frame, was drawn once

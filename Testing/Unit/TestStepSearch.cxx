@@ -197,3 +197,41 @@ TEST(StepSearch, OneBadPixelIsAnErrorOfThePicture)
   EXPECT_NEAR(ErrorOfLimit(picture, exact, Limit), 0.1 / Limit.largest, 1e-3);
   EXPECT_EQ(DifferenceOfLimit(picture, exact, Limit), 0.0);
 }
+
+TEST(StepSearch, ItNeedsTwoDrawingsWhereAnEarlierDistanceStillHolds)
+{
+  int drawings = 0;
+  const PowerLaw law{ 0.01, 2.0, &drawings };
+  const FoundSteps found = FindSampleDistance(law, Limit, Range, 1.0);
+  const EarlierSteps earlier{ found.choice.sampleDistance, found.order };
+  drawings = 0;
+  const FoundSteps again = FindSampleDistanceFrom(earlier, law, Limit, Range, 1.0);
+  EXPECT_EQ(drawings, 2);
+  EXPECT_EQ(again.choice.sampleDistance, found.choice.sampleDistance);
+  EXPECT_TRUE(again.choice.KeepsLimit());
+}
+
+TEST(StepSearch, AnEarlierDistanceIsNotTakenWhereTheErrorIsAnother)
+{
+  int drawings = 0;
+  for (const double factor : { 0.0005, 0.003, 0.03, 0.5 })
+  {
+    const PowerLaw law{ factor, 2.0, &drawings };
+    const StepChoice choice = FindSampleDistanceFrom({ 1.0, 2.0 }, law, Limit, Range, 1.0).choice;
+    const double error = factor * choice.sampleDistance * choice.sampleDistance;
+    EXPECT_TRUE(choice.KeepsLimit());
+    EXPECT_LE(error, 1.2 * Limit.percentile999) << factor;
+    EXPECT_TRUE(error > 0.7 * Limit.percentile999 || choice.sampleDistance == Range.coarsest);
+  }
+}
+
+// Both images of a long distance miss the feature.
+TEST(StepSearch, AnEarlierLongDistanceDoesNotHideAFeatureThatASearchSees)
+{
+  constexpr double SeenFrom = 0.5;
+  const auto draw = [&](double distance)
+  { return std::vector<float>(4 * 100, distance < SeenFrom ? 0.75f : 0.25f); };
+  const StepChoice choice = FindSampleDistanceFrom({ 4.0, 1.6 }, draw, Limit, Range, 1.0).choice;
+  EXPECT_TRUE(choice.KeepsLimit());
+  EXPECT_LT(choice.sampleDistance, SeenFrom);
+}

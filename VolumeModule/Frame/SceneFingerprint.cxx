@@ -48,18 +48,6 @@ double AddressOf(const void* object)
   return double(reinterpret_cast<std::uintptr_t>(object));
 }
 
-// The arrays that are drawn, and their times. Another array of the same image has no other time.
-Numbers VoxelsOf(const VoxelInput& voxels)
-{
-  Numbers numbers = { double(voxels.time), AddressOf(voxels.mask.labels), double(voxels.mask.time),
-    TimeOf(voxels.blanking.points), TimeOf(voxels.blanking.cells) };
-  for (const VoxelComponent& component : voxels.components)
-  {
-    Append(numbers, { AddressOf(component.array), double(component.index) });
-  }
-  return numbers;
-}
-
 // The lights, if anything is lit.
 Numbers LightsOf(const Frame& frame)
 {
@@ -134,11 +122,26 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
 
 }
 
+// Another array of the same image has no other time.
+std::vector<double> VoxelFingerprint(const VoxelInput& voxels)
+{
+  Numbers numbers = { double(voxels.time) };
+  for (const VoxelComponent& component : voxels.components)
+  {
+    Append(numbers, { AddressOf(component.array), double(component.index) });
+  }
+  return numbers;
+}
+
 std::vector<double> ExtinctionFingerprint(const Frame& frame)
 {
   vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
-  Numbers numbers = VoxelsOf(frame.voxels);
+  const VoxelInput& voxels = frame.voxels;
+  Numbers numbers = VoxelFingerprint(voxels);
+  Append(numbers,
+    { AddressOf(voxels.mask.labels), double(voxels.mask.time), TimeOf(voxels.blanking.points),
+      TimeOf(voxels.blanking.cells) });
   Append(numbers,
     { double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 });
   Append(numbers, frame.material.NumbersOfExtinction());

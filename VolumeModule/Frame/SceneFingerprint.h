@@ -9,6 +9,10 @@ namespace varimarch
 {
 
 struct Frame;
+struct VoxelInput;
+
+/// The arrays that are drawn, and the time of their last change, as numbers.
+std::vector<double> VoxelFingerprint(const VoxelInput& voxels);
 
 /// Everything in a volume and its look that the part of a light depends on that it lets through.
 std::vector<double> ExtinctionFingerprint(const Frame& frame);

@@ -123,10 +123,10 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
 ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const
 {
   ToleranceInputs inputs;
-  inputs.Add(MarchOf(frame, plan), this->resources.First().Builds());
+  inputs.Add(MarchOf(frame, plan), this->resources.First());
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
-    inputs.Add(MarchOfOther(frame, plan, i), this->resources.Other(i).Builds());
+    inputs.Add(MarchOfOther(frame, plan, i), this->resources.Other(i));
   }
   return inputs;
 }

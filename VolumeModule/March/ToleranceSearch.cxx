@@ -4,7 +4,6 @@
 #include "March/ToleranceSearch.h"
 
 #include "Core/Recipe/MaterialRecipe.h"
-#include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/FrameMeasures.h"
 #include "Frame/PropertyTransferFunction.h"
 
@@ -81,10 +80,11 @@ bool HasNodesBetweenTableValues(const VolumeMarch& march, const VolumeResources&
 // many times the limit may be an error of the table.
 constexpr double CertainlyMissed = 4.0;
 
-// A view is near another if no corner of a volume has moved by more than NearMove of the image. Its
-// steps are then those of the other view, multiplied by NearbyPart.
-constexpr double NearMove = 0.05;
+// The factor of the steps of another view nearby.
 constexpr double NearbyPart = 0.9;
+
+// The number of earlier choices that are remembered: enough for a scan with many times.
+constexpr std::size_t MostRemembered = 128;
 
 // The image with its colours set to 0: opacity does not depend on light.
 std::vector<float> OpacityOf(std::vector<float> picture)
@@ -112,35 +112,6 @@ bool IsOpacityOfValues(RenderSettings settings)
   return !MarchesMaterial(settings);
 }
 
-// The shader files that the request of a volume takes, whatever the march finds out about it.
-std::vector<std::string> RecipeOf(const Frame& frame)
-{
-  RenderSettings settings = frame.settings;
-  settings.pass = RayPass::Whole;
-  return FragmentShaderParts(settings);
-}
-
-// The inputs of a volume that the integration rule depends on, besides its recipe and voxels.
-std::vector<double> RuleInputsOf(const VolumeMarch& march)
-{
-  std::vector<double> inputs = MaterialTableInputs(march.frame.material.property, march.settings);
-  inputs.insert(inputs.end(),
-    { double(march.plan.marcher), double(march.plan.choosesIntegration),
-      double(march.settings.integration), march.plan.budget.StepTolerance(),
-      march.frame.geometry.SmallestSpacingMm() });
-  return inputs;
-}
-
-// The inputs of a volume that the image depends on in any view, besides those of the rule.
-std::vector<double> SceneInputsOf(const VolumeMarch& march)
-{
-  std::vector<double> inputs = march.frame.fingerprint;
-  inputs.insert(inputs.end(),
-    { double(march.plan.viewport.width), double(march.plan.viewport.height),
-      double(march.settings.occlusion), double(march.frame.levelRound) });
-  return inputs;
-}
-
 StepRange RangeOf(const VolumeMarch& march)
 {
   const double voxelMm = SmallestSpacingMm(march.frame);
@@ -156,34 +127,52 @@ StepRange RangeOf(const VolumeMarch& march)
 
 }
 
-bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
+void ToleranceSearch::Forget()
 {
-  if (!this->HasSceneOf(other) || this->view.size() != other.view.size())
-  {
-    return false;
-  }
-  double moved = 0.0;
-  for (std::size_t i = 0; i < this->view.size(); ++i)
-  {
-    moved = std::max(moved, LargestMove(this->view[i], other.view[i]));
-  }
-  return moved <= NearMove;
-}
-
-void ToleranceInputs::Add(const VolumeMarch& march, const VolumeBuilds& builds)
-{
-  const auto append = [](auto& inputs, const auto& more)
-  { inputs.insert(inputs.end(), more.begin(), more.end()); };
-  append(this->recipe, RecipeOf(march.frame));
-  append(this->rule, RuleInputsOf(march));
-  this->voxels.push_back(builds.volumeTexture);
-  append(this->scene, SceneInputsOf(march));
-  this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
-    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
+  this->choice.reset();
+  this->remembered.clear();
 }
 
 // While the view moves, a choice is reused for nearby views. A view at rest gets a choice of its
 // own.
+bool ToleranceSearch::Serves(const ToleranceChoice& made, const ToleranceInputs& inputs) const
+{
+  return this->viewRests ? made.inputs == inputs : made.inputs.IsNear(inputs);
+}
+
+bool ToleranceSearch::TakeRemembered(const ToleranceInputs& inputs)
+{
+  const auto isOfImage = [&](const ToleranceChoice& made) { return made.inputs == inputs; };
+  const auto serves = [&](const ToleranceChoice& made) { return this->Serves(made, inputs); };
+  auto found = std::find_if(this->remembered.begin(), this->remembered.end(), isOfImage);
+  if (found == this->remembered.end())
+  {
+    found = std::find_if(this->remembered.begin(), this->remembered.end(), serves);
+  }
+  if (found == this->remembered.end())
+  {
+    return false;
+  }
+  ToleranceChoice taken = std::move(*found);
+  this->remembered.erase(found);
+  this->Remember();
+  this->choice = std::move(taken);
+  return true;
+}
+
+void ToleranceSearch::Remember()
+{
+  if (this->choice)
+  {
+    this->remembered.push_front(std::move(*this->choice));
+    this->choice.reset();
+  }
+  if (this->remembered.size() > MostRemembered)
+  {
+    this->remembered.pop_back();
+  }
+}
+
 void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& volume,
   const ToleranceInputs& inputs, const TrialDrawing& draw)
 {
@@ -196,12 +185,13 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
     this->voxels = inputs.voxels;
   }
   this->view = inputs.view;
-  const bool serves = this->choice &&
-    (this->viewRests ? this->choice->inputs == inputs : this->choice->inputs.IsNear(inputs));
-  if (!serves)
+  const bool serves = this->choice && this->Serves(*this->choice, inputs);
+  if (!serves && !this->TakeRemembered(inputs))
   {
-    this->choice =
+    ToleranceChoice made =
       this->ChooseSteps({ march, volume, draw, march.plan.budget.StepLimit() }, inputs);
+    this->Remember();
+    this->choice = std::move(made);
     ++this->searches;
   }
 }
@@ -263,35 +253,62 @@ FoundSteps ToleranceSearch::Trial::Find(
   return FindSampleDistance(drawAt, this->limit, RangeOf(this->march), firstMm, exact);
 }
 
-ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
+FoundSteps ToleranceSearch::Trial::FindFrom(Integration integration, const EarlierSteps& earlier)
 {
-  // Each search begins at the same distance, so that its result does not depend on the previous
-  // one. While every image has new voxels, it begins at the previous result to save trial images.
+  const auto drawAt = [&](double sampleDistanceMm)
+  { return this->Draw(integration, sampleDistanceMm); };
+  return FindSampleDistanceFrom(
+    earlier, drawAt, this->limit, RangeOf(this->march), SmallestSpacingMm(this->march.frame));
+}
+
+ToleranceChoice ToleranceSearch::ChoiceOf(
+  Trial& trial, const ToleranceInputs& inputs, Integration integration, const FoundSteps& found)
+{
+  const ToleranceChoice choice{ inputs, integration, found.choice, found.order };
+  return WithMissed(choice, MissedOfLimit(trial, choice), trial.limit);
+}
+
+// The rule is chosen again only for another transfer function or volume, not while a camera moves.
+// While every image has new voxels, the last rule and its distance are tried first.
+std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
+  Trial& trial, const ToleranceInputs& inputs) const
+{
   const bool hasRule = this->choice && this->choice->inputs.HasRuleOf(inputs);
-  const double firstMm = hasRule && this->isSeries ? this->choice->step.sampleDistance
-                                                   : SmallestSpacingMm(trial.march.frame);
-  // The rule is chosen again only for another transfer function or volume, not while a camera
-  // moves.
-  if (hasRule && (this->isSeries || this->choice->inputs.voxels == inputs.voxels))
+  if (hasRule && this->choice->inputs.voxels == inputs.voxels)
   {
-    const Integration integration = this->choice->integration;
-    return WithMissed({ inputs, integration, trial.Find(integration, firstMm).choice },
+    const FoundSteps found =
+      trial.Find(this->choice->integration, SmallestSpacingMm(trial.march.frame));
+    return WithMissed({ inputs, this->choice->integration, found.choice, found.order },
       this->choice->missedOfLimit, trial.limit);
   }
-  const auto choiceOf = [&](Integration integration, const FoundSteps& found)
+  if (!hasRule || !this->isSeries)
   {
-    const ToleranceChoice choice{ inputs, integration, found.choice };
-    return WithMissed(choice, MissedOfLimit(trial, choice), trial.limit);
-  };
+    return std::nullopt;
+  }
+  const FoundSteps found = trial.FindFrom(
+    this->choice->integration, { this->choice->step.sampleDistance, this->choice->order });
+  const ToleranceChoice made = ChoiceOf(trial, inputs, this->choice->integration, found);
+  const bool isNoWorse = made.step.KeepsLimit() || !this->choice->step.KeepsLimit();
+  return isNoWorse ? std::optional<ToleranceChoice>(made) : std::nullopt;
+}
+
+ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
+{
+  if (const std::optional<ToleranceChoice> made = this->ChooseByLastRule(trial, inputs))
+  {
+    return *made;
+  }
+  // Each search begins at the same distance, so that its result does not depend on an earlier one.
+  const double firstMm = SmallestSpacingMm(trial.march.frame);
   const Integration usual = trial.march.settings.integration;
   const FoundSteps found = trial.Find(usual, firstMm);
-  const ToleranceChoice choice = choiceOf(usual, found);
+  const ToleranceChoice choice = ChoiceOf(trial, inputs, usual, found);
   if (!trial.march.plan.choosesIntegration || !PreIntegrationMayPay(trial, choice, found.finest))
   {
     return choice;
   }
   constexpr Integration Other = Integration::PreIntegrated;
-  const ToleranceChoice preIntegrated = choiceOf(Other,
+  const ToleranceChoice preIntegrated = ChoiceOf(trial, inputs, Other,
     choice.step.KeepsLimit() ? trial.Find(Other, choice.step.sampleDistance, found.finest)
                              : trial.Find(Other, firstMm));
   return IsBetter(preIntegrated.step, PreIntegrationCostOf(trial.march), choice.step)

@@ -174,9 +174,9 @@ void FieldResources::UpdateRanges(const FieldInputs& inputs)
   const VolumeMarch& march = inputs.march;
   if (this->rangesOfVolume != inputs.volumeBuild)
   {
-    this->field.BuildRanges(inputs.blocks.Values(), march.frame.voxels.axes);
+    const bool areBuilt = this->field.BuildRanges(inputs.blocks.Values(), march.frame.voxels);
     this->rangesOfVolume = inputs.volumeBuild;
-    ++this->rangesBuilds;
+    this->rangesBuilds += areBuilt ? 1 : 0;
   }
 }
 

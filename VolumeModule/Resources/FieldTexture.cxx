@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -102,14 +103,23 @@ BrickRanges BuiltRanges(const VoxelValues& values, std::size_t index)
 }
 
 // Voxels that stay in their file have ranges already.
-std::shared_ptr<const BrickRanges> RangesOf(const VoxelValues& values, std::size_t index)
+std::shared_ptr<const BrickRanges> KeptRanges(const VoxelValues& values, std::size_t index)
 {
   const ScalarTexels& texels = values.texels[index];
   const auto summary = SummaryOf(values.components[index].array);
   const bool tellsApart = summary && values.reachVoxels == 0 &&
     (texels.normalized || texels.resolved == ValueRange{ summary->smallest, summary->largest });
-  return tellsApart ? std::shared_ptr<const BrickRanges>(summary, &summary->ranges)
-                    : std::make_shared<BrickRanges>(BuiltRanges(values, index));
+  return tellsApart ? std::shared_ptr<const BrickRanges>(summary, &summary->ranges) : nullptr;
+}
+
+// Everything that the ranges of a component depend on.
+std::vector<double> KeyOfRanges(
+  const VoxelValues& values, const VoxelInput& voxels, std::size_t index)
+{
+  const VoxelComponent& component = values.components[index];
+  const ValueRange& resolved = values.texels[index].resolved;
+  return { double(voxels.time), double(reinterpret_cast<std::uintptr_t>(component.array)),
+    double(component.index), resolved.lower, resolved.upper };
 }
 
 // If a smaller part of the bricks can be skipped, testing bricks costs more than it saves.
@@ -183,17 +193,31 @@ void AccelerationField::SetTexels(
   this->Upload(window, size, texels);
 }
 
-void AccelerationField::BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes)
+bool AccelerationField::BuildRanges(const VoxelValues& values, const VoxelInput& voxels)
 {
   const Stopwatch stopwatch;
+  bool areBuilt = false;
   this->ranges.clear();
   for (std::size_t i = 0; i < values.components.size(); ++i)
   {
-    const std::shared_ptr<const BrickRanges> ofVoxels = RangesOf(values, i);
-    this->ranges.push_back(
-      axes.empty() ? ofVoxels : std::make_shared<BrickRanges>(EvenBricks(*ofVoxels, axes)));
+    std::shared_ptr<const BrickRanges> ofVoxels = KeptRanges(values, i);
+    const std::vector<double> key = KeyOfRanges(values, voxels, i);
+    ofVoxels = ofVoxels || values.reachVoxels > 0 ? ofVoxels : this->knownRanges.Find(key);
+    if (!ofVoxels)
+    {
+      ofVoxels = std::make_shared<BrickRanges>(BuiltRanges(values, i));
+      areBuilt = true;
+      if (values.reachVoxels == 0) // the arrays of a spline do not last
+      {
+        this->knownRanges.Add(key, ofVoxels);
+      }
+    }
+    this->ranges.push_back(voxels.axes.empty()
+        ? ofVoxels
+        : std::make_shared<BrickRanges>(EvenBricks(*ofVoxels, voxels.axes)));
   }
   this->rangeSeconds = stopwatch.Seconds();
+  return areBuilt;
 }
 
 void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
@@ -286,6 +310,7 @@ void AccelerationField::Release(vtkWindow* window)
 {
   this->ReleaseField(window);
   this->ranges.clear();
+  this->knownRanges.Clear();
   this->visible = VisibleBricks();
 }
 

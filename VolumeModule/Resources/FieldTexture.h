@@ -8,6 +8,7 @@
 #include "Core/Fields/VisibleDepths.h"
 #include "Core/Geometry/UnevenAxis.h"
 #include "Core/Recipe/RenderSettings.h"
+#include "Resources/KnownRanges.h"
 #include "Resources/VolumeTexture.h"
 
 #include "vtkNew.h"
@@ -56,8 +57,9 @@ public:
 
   /// Builds the part of the optical field that depends only on the voxels: the ranges of bricks. It
   /// is reused by every later BuildOpticalField.
-  /// @param axes  the axes of a rectilinear grid; empty for an image
-  void BuildRanges(const VoxelValues& values, const std::vector<UnevenAxis>& axes);
+  /// @param voxels  the input of the values
+  /// @return false if the ranges were known since the volume was drawn before
+  bool BuildRanges(const VoxelValues& values, const VoxelInput& voxels);
 
   /// Builds the optical field, which stays empty if rays could skip hardly anything.
   /// @throws std::runtime_error if the device cannot hold the texture
@@ -115,6 +117,7 @@ private:
   vtkNew<vtkTextureObject> texture;
   std::vector<std::shared_ptr<const BrickRanges>>
     ranges; ///< The ranges of bricks of each component.
+  KnownRanges knownRanges;
   VisibleBricks visible;
   // Data for the processor: an optical field with the hull of its visible bricks, or a field of
   // extremes.

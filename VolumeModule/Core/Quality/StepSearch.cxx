@@ -30,6 +30,10 @@ constexpr double MostNear = 1.25;
 // inaccuracy of the estimate.
 constexpr double MostOfLimit = ErrorBudget::EstimateSlack;
 
+// The distance of an earlier search is taken if its error is at least this fraction of the limit:
+// longer steps would save less than the image that tries them.
+constexpr double LeastOfEarlier = 0.85;
+
 constexpr int MostTrials = 10;
 
 // Ratio of the error to its change when the distance is halved; the change is 1 - 2^(-order
@@ -86,6 +90,24 @@ public:
   FoundSteps Find()
   {
     this->Keep(this->Try(this->InRange(this->first)));
+    return this->FindFurther();
+  }
+
+  FoundSteps FindFrom(const EarlierSteps& earlier)
+  {
+    this->order = earlier.order;
+    const Trial trial = this->Try(this->InRange(earlier.sampleDistance));
+    if (trial.ofLimit >= LeastOfEarlier && trial.ofLimit <= MostOfLimit)
+    {
+      return this->Found(trial);
+    }
+    this->Keep(trial);
+    return this->FindFurther();
+  }
+
+private:
+  FoundSteps FindFurther()
+  {
     for (int trials = 1; !this->IsAtEnd() && trials < MostTrials; ++trials)
     {
       if (!this->IsNear())
@@ -104,7 +126,6 @@ public:
     return this->Found(this->keeps ? *this->keeps : *this->fails);
   }
 
-private:
   double InRange(double distance) const
   {
     return std::clamp(distance, this->range.finest, this->range.coarsest);
@@ -115,7 +136,7 @@ private:
   {
     const double ofLimit =
       trial.ofLimit <= MostOfLimit ? std::min(trial.ofLimit, 1.0) : trial.ofLimit;
-    return { { trial.distance, trial.percentile999, ofLimit },
+    return { { trial.distance, trial.percentile999, ofLimit }, this->order,
       this->exact.empty() ? this->finer.begin()->second : this->exact };
   }
 
@@ -166,7 +187,7 @@ private:
     this->last = trial;
   }
 
-  // An image drawn at a third of the distance or less.
+  // An image drawn at a third of the distance or less, and never more than a quarter of the first.
   // @param halvings  receives log2 of the ratio of the distances
   const std::vector<float>& FinerThan(double distance, double& halvings)
   {
@@ -177,7 +198,8 @@ private:
     }
     else
     {
-      const double finerDistance = std::max(0.25 * distance, 0.5 * this->range.finest);
+      const double finerDistance =
+        std::max(0.25 * std::min(distance, this->InRange(this->first)), 0.5 * this->range.finest);
       found = this->finer.find(finerDistance);
       if (found == this->finer.end())
       {
@@ -263,6 +285,12 @@ FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit
   const StepRange& range, double first, const std::vector<float>& exact)
 {
   return Search(draw, limit, range, first, exact).Find();
+}
+
+FoundSteps FindSampleDistanceFrom(const EarlierSteps& earlier, const SampleDrawing& draw,
+  const ErrorLimit& limit, const StepRange& range, double first)
+{
+  return Search(draw, limit, range, first, {}).FindFrom(earlier);
 }
 
 double DifferenceOfLimit(

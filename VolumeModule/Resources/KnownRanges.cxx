@@ -1,0 +1,34 @@
+#include "Resources/KnownRanges.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+std::shared_ptr<const BrickRanges> KnownRanges::Find(const std::vector<double>& key)
+{
+  const auto found = std::find_if(this->entries.begin(), this->entries.end(),
+    [&](const Entry& entry) { return entry.key == key; });
+  if (found == this->entries.end())
+  {
+    return nullptr;
+  }
+  this->entries.splice(this->entries.begin(), this->entries, found);
+  return this->entries.front().ranges;
+}
+
+void KnownRanges::Add(
+  const std::vector<double>& key, const std::shared_ptr<const BrickRanges>& ranges)
+{
+  this->entries.push_front({ key, ranges });
+  std::size_t bytes = 0;
+  const auto tooMany = std::find_if(this->entries.begin(), this->entries.end(),
+    [&](const Entry& entry)
+    {
+      bytes += entry.ranges->Bytes();
+      return bytes > MostBytes;
+    });
+  this->entries.erase(tooMany, this->entries.end());
+}
+
+}
