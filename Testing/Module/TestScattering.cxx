@@ -1,8 +1,11 @@
-// Light that a slab scatters, compared with closed forms.
+// Light that a slab and a sheet scatter, compared with closed forms and the reference.
 
+#include "Module/ReferenceMaterials.h"
 #include "Module/SlabScene.h"
 #include "Module/UsualSettings.h"
 
+#include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkLight.h>
 
 #include <glm/geometric.hpp>
@@ -29,7 +32,7 @@ struct Scattered
   double shadows; ///< their strength
 };
 
-void LightSlab(SlabScene& scene, const Scattered& light)
+void LightSlab(MapperScene& scene, const Scattered& light)
 {
   vtkVolumeProperty* const property = scene.volume->GetProperty();
   property->ShadeOn();
@@ -46,6 +49,26 @@ void LightSlab(SlabScene& scene, const Scattered& light)
   scene.mapper->SetGlobalIlluminationReach(light.reach);
   scene.mapper->SetShadows(light.shadows > 0.0);
   scene.mapper->SetShadowStrength(light.shadows);
+}
+
+// A sheet in the odd layer of voxels in the middle, at right angles to z.
+constexpr unsigned char SheetValue = 200;
+
+vtkSmartPointer<vtkImageData> ThinSheet()
+{
+  constexpr int Side = 15;
+  constexpr int Layer = Side / 2;
+  static_assert(Layer % 2 == 1, "nodes of the lattice lie in even layers");
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Side, Side, Side);
+  image->SetOrigin(-Layer, -Layer, -Layer);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int i = 0; i < Side * Side * Side; ++i)
+  {
+    voxels[i] = i / (Side * Side) == Layer ? SheetValue : 0;
+  }
+  return image;
 }
 
 // The slab as both marchers draw it.
@@ -98,6 +121,32 @@ TEST(Scattering, KeepsAnErrorTolerance)
 {
   const Scattered light{ 0.7, 0.4, 1.0, 0.0 };
   EXPECT_NEAR(DrawnRed(light, 1.0 / 64.0), ExpectedRed(light), 1.0 / 64.0);
+}
+
+// The sheet lies between the nodes of a lattice of light, and light comes along it: no node tells
+// how much light the sheet takes.
+TEST(Scattering, OfASheetThinnerThanACellOfTheLatticeKeepsTheErrorTolerance)
+{
+  constexpr double Tolerance = 1.0 / 64.0;
+  MapperScene scene(ThinSheet(), 16);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(0.0, 0.0);
+  scene.opacities->AddPoint(SheetValue, 0.3);
+  scene.LookDown({ 0.0, 0.0, 0.0 }, 7.0);
+  scene.mapper->SetErrorTolerance(Tolerance);
+  for (const double softness : { 0.0, 3.0 })
+  {
+    LightSlab(scene, { 1.0, 0.0, 0.0, 1.0 });
+    scene.renderer->RemoveAllLights();
+    vtkLight* const light = AddLight(scene.renderer, { 100.0, 20.0, 0.0 }, glm::dvec3(0.0));
+    light->GetInformation()->Set(vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), softness);
+    const std::vector<float> truth = scene.TruthOf(MaterialInOwnShadows(scene, 1e-3), 1e-3);
+    const std::vector<float> drawn = scene.DrawByProcessor();
+    EXPECT_GT(scene.mapper->GetLightMemoryBytes(), 0) << "there is a lattice";
+    EXPECT_LT(
+      CompareImages(drawn.data(), truth.data(), truth.size() / 4).percentile999, 255.0 * Tolerance)
+      << softness;
+  }
 }
 
 TEST(Scattering, IsDimmedWithinItsReachOnly)

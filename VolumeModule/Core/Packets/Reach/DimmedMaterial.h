@@ -39,16 +39,13 @@ public:
   }
 
 private:
-  static LaneMask NothingIsKnown(Lanes, Lanes, LaneMask) { return LaneMask{}; }
-
   Lanes OfPointAt(const Lanes3& placeGrid, LaneMask mask) const
   {
     const PacketRays rays = this->light.RaysFrom(placeGrid);
     // Cells are read where a ray begins, and then ever farther apart.
-    const Lanes cellMm =
-      float(this->scene.shadows.shape.voxelsPerNode) / Length(rays.directionGrid);
+    const Lanes cellMm = this->CellMm(rays);
     Lanes next = {};
-    const auto known = [&](Lanes t, Lanes& depth, LaneMask going)
+    const auto known = [&](Lanes t, Lanes& depth, LaneMask going, const auto& extinction)
     {
       const LaneMask asks = going & LaneMask(t >= next);
       if (!this->cells || !Any(asks))
@@ -56,7 +53,7 @@ private:
         return LaneMask{};
       }
       next = Select(asks, Max(2.0f * t, t + cellMm), next);
-      return this->AddKnown(rays.At(t), depth, asks);
+      return this->AddKnown(rays.At(t), depth, asks, cellMm * extinction(asks));
     };
     return this->AtEndOf(rays, mask, this->scene.rays.shadowStepMm, known);
   }
@@ -71,7 +68,7 @@ private:
     LaneMask agrees = mask & this->cells.Contains(placeGrid);
     const LightInCells found = this->cells.LightAt(placeGrid, agrees,
       [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->AtNode(nodeGrid, nodes); });
-    agrees &= LaneMask(found.spread <= this->scene.shadows.agreement);
+    agrees &= this->Agrees(found, this->TakenBy(placeGrid, agrees));
     const LaneMask others = mask & ~agrees;
     return Any(others)
       ? Select(
@@ -85,7 +82,7 @@ private:
       [&](const auto& turned)
       {
         return this->AtEndOf(
-          this->light.RaysFrom(placeGrid, turned), mask, longestMm, NothingIsKnown);
+          this->light.RaysFrom(placeGrid, turned), mask, longestMm, NothingIsKnown());
       });
   }
 
@@ -104,8 +101,32 @@ private:
     return Exp(-ShadowDepth<Voxels>(this->scene, this->voxels, rays, march).Along(mask, known));
   }
 
+  // The length of a cell along rays.
+  Lanes CellMm(const PacketRays& rays) const
+  {
+    return float(this->scene.shadows.shape.voxelsPerNode) / Length(rays.directionGrid);
+  }
+
+  // The optical depth of a cell that is filled by the matter at a place.
+  Lanes TakenBy(const Lanes3& placeGrid, LaneMask mask) const
+  {
+    const PacketRays rays = this->light.RaysFrom(placeGrid);
+    const ShadowMarch march = { 0.0f, Lanes{}, 0.0f };
+    return this->CellMm(rays) *
+      ShadowDepth<Voxels>(this->scene, this->voxels, rays, march).ExtinctionHere(mask);
+  }
+
+  // True where the nodes of a cell tell the light at a place. Matter that is thinner than a cell
+  // may lie between nodes, which then agree on light that it takes.
+  // @param taken  the optical depth of a cell that is filled by the matter at the place
+  LaneMask Agrees(const LightInCells& found, Lanes taken, Lanes left = All(1.0f)) const
+  {
+    return LaneMask(
+      left * Max(found.spread, found.between * taken) <= this->scene.shadows.agreement);
+  }
+
   // Where the nodes of a cell agree, they tell the light at the end of a ray.
-  LaneMask AddKnown(const Lanes3& placeGrid, Lanes& depth, LaneMask mask) const
+  LaneMask AddKnown(const Lanes3& placeGrid, Lanes& depth, LaneMask mask, Lanes taken) const
   {
     mask &= this->cells.Contains(placeGrid);
     if (!Any(mask))
@@ -114,8 +135,7 @@ private:
     }
     const LightInCells found = this->cells.LightAt(placeGrid, mask,
       [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->AtNode(nodeGrid, nodes); });
-    const LaneMask agrees =
-      mask & LaneMask(found.spread * Exp(-depth) <= this->scene.shadows.agreement);
+    const LaneMask agrees = mask & this->Agrees(found, taken, Exp(-depth));
     depth = depth - Select(agrees, Log(Max(found.between, 1e-6f)), Lanes{});
     return agrees;
   }
@@ -126,7 +146,7 @@ private:
     const float longestMm = this->scene.shadows.nodeStepMm;
     return this->light.ConeHeight() > 0.0f
       ? this->TracedCone(nodeGrid, mask, longestMm)
-      : this->AtEndOf(this->light.RaysFrom(nodeGrid), mask, longestMm, NothingIsKnown);
+      : this->AtEndOf(this->light.RaysFrom(nodeGrid), mask, longestMm, NothingIsKnown());
   }
 
   const PacketScene& scene;

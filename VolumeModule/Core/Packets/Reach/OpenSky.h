@@ -68,7 +68,7 @@ private:
     const float longestMm = this->scene.sky.stepMm;
     const ShadowMarch march = { longestMm, All(0.5f * longestMm), this->scene.sky.mostDepth };
     return ShadowDepth<Voxels>(this->scene, this->voxels, rays, march)
-      .Along(mask, [](Lanes, Lanes, LaneMask) { return LaneMask{}; });
+      .Along(mask, NothingIsKnown());
   }
 
   const PacketScene& scene;

@@ -26,6 +26,16 @@ struct ShadowMarch
   float mostDepth; ///< optical depth beyond which no light is left
 };
 
+/// Tells ShadowDepth no depths, so that it takes those of the rays themselves.
+struct NothingIsKnown
+{
+  template <class Extinction>
+  LaneMask operator()(Lanes, const Lanes&, LaneMask, const Extinction&) const
+  {
+    return LaneMask{};
+  }
+};
+
 /// The optical depth of the volume along rays of any origin.
 template <class Voxels>
 class ShadowDepth
@@ -46,15 +56,17 @@ public:
   }
 
   /// @param mask   the rays whose depth matters
-  /// @param known  (places along the rays, depths up to there, rays) -> the rays whose further
-  ///               depth is known, after adding it to the depths
+  /// @param known  (places along the rays, depths up to there, rays, extinction there) -> the rays
+  ///               whose further depth is known, after adding it to the depths. The extinction is a
+  ///               function of the rays at whose places it matters.
   template <class Known>
   Lanes Along(LaneMask mask, Known known)
   {
     mask &= LaneMask(this->t < this->rays.exit);
     for (int index = 0; index < this->scene.rays.mostSegments && Any(mask); ++index)
     {
-      mask &= ~known(this->t, this->depth, mask);
+      mask &= ~known(
+        this->t, this->depth, mask, [&](LaneMask asked) { return this->ExtinctionHere(asked); });
       if (!Any(mask))
       {
         break;
@@ -63,6 +75,20 @@ public:
       mask &= LaneMask(this->t < this->rays.exit) & LaneMask(this->depth < this->march.mostDepth);
     }
     return this->depth;
+  }
+
+  /// The extinction where the rays are [1/mm].
+  Lanes ExtinctionHere(LaneMask mask) const
+  {
+    LaneMask absorbs = mask & MayAbsorb(this->scene.look, this->endValue, this->endValue);
+    if (Any(absorbs))
+    {
+      absorbs &= this->IsSeen(this->t);
+    }
+    return Any(absorbs)
+      ? Select(absorbs, this->ExtinctionOfValue(this->endValue, this->GradientAt(this->t, absorbs)),
+          Lanes{})
+      : Lanes{};
   }
 
 private:
@@ -116,20 +142,33 @@ private:
 
   Lanes MeanExtinction(Lanes startValue, Lanes end, LaneMask mask) const
   {
-    const bool isOfValues =
-      !this->scene.textures.gradientOpacityTable && !this->scene.textures.twoValueTable;
-    const Lanes3 gradient =
-      isOfValues ? Lanes3(0.0f) : this->voxels.SlopeAt(this->rays.At(end), mask).gradient;
+    const Lanes3 gradient = this->GradientAt(end, mask);
     constexpr int Parts = 4;
     Lanes sum = {};
     for (int part = 0; part < Parts; ++part)
     {
       const Lanes value = Mix(startValue, this->endValue, All((float(part) + 0.5f) / Parts));
-      sum = sum +
-        (isOfValues ? ExtinctionOf(this->scene.look, value)
-                    : this->material.LookOf(value, gradient).extinction);
+      sum = sum + this->ExtinctionOfValue(value, gradient);
     }
     return (1.0f / Parts) * sum;
+  }
+
+  bool IsOfValues() const
+  {
+    return !this->scene.textures.gradientOpacityTable && !this->scene.textures.twoValueTable;
+  }
+
+  // The gradient at a place, where extinction depends on it.
+  Lanes3 GradientAt(Lanes place, LaneMask mask) const
+  {
+    return this->IsOfValues() ? Lanes3(0.0f)
+                              : this->voxels.SlopeAt(this->rays.At(place), mask).gradient;
+  }
+
+  Lanes ExtinctionOfValue(Lanes value, const Lanes3& gradient) const
+  {
+    return this->IsOfValues() ? ExtinctionOf(this->scene.look, value)
+                              : this->material.LookOf(value, gradient).extinction;
   }
 
   const PacketScene& scene;
