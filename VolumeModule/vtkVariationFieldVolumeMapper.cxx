@@ -6,6 +6,7 @@
 #include "Frame/VoxelsOnDisk.h"
 #include "March/AccuracyWarnings.h"
 #include "March/Device/GraphicsReset.h"
+#include "March/DrawingStopped.h"
 #include "March/ImageOutput.h"
 #include "March/MapperInternals.h"
 
@@ -94,6 +95,10 @@ void vtkVariationFieldVolumeMapper::Internals::Draw(
   {
     mapper->DrawFrame(renderer, volume);
     mapper->Private->ReportedError.clear();
+  }
+  catch (const varimarch::DrawingStopped&)
+  {
+    // Whoever stopped it knows.
   }
   catch (const std::bad_alloc&)
   {

@@ -1,4 +1,6 @@
 #include "Scene/FloatCapture.h"
+
+#include "Scene/StopCheck.h"
 #include "VtkVersions.h"
 
 #include <vtkCamera.h>
@@ -109,19 +111,23 @@ vtkSmartPointer<vtkImageData> FloatCapture::Image()
 }
 
 vtkSmartPointer<vtkImageData> CaptureFloatImage(
-  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const std::function<void(double)>& onBand)
+  vtkOpenGLRenderWindow* window, vtkRenderer* renderer, const std::function<bool(double)>& onBand)
 {
   constexpr int BandRows = 16;
   FloatCapture capture(window, renderer);
-  while (capture.RowsLeft() > 0)
+  if (!onBand)
   {
-    if (onBand)
-    {
-      onBand(capture.PartDone());
-    }
-    capture.RenderRows(onBand ? BandRows : capture.RowsLeft());
+    capture.RenderRows(capture.RowsLeft());
+    return capture.Image();
   }
-  return capture.Image();
+  bool goesOn = true;
+  const auto ask = [&] { return goesOn = goesOn && onBand(capture.PartDone()); };
+  const StopCheck check(window, ask);
+  while (capture.RowsLeft() > 0 && ask())
+  {
+    capture.RenderRows(BandRows);
+  }
+  return goesOn ? capture.Image() : nullptr;
 }
 
 }

@@ -45,10 +45,12 @@ private:
 
 /// The whole image.
 /// @param onBand  if given, the image is rendered in horizontal bands, and this is called before
-///                each one with the fraction done, [0, 1); for images that take long
+///                each one, and while steps are searched for, with the fraction done, [0, 1); for
+///                images that take long. It returns false to cancel.
+/// @return null if cancelled
 /// @throws std::runtime_error if the driver does not support such a framebuffer
 vtkSmartPointer<vtkImageData> CaptureFloatImage(vtkOpenGLRenderWindow* window,
-  vtkRenderer* renderer, const std::function<void(double)>& onBand = nullptr);
+  vtkRenderer* renderer, const std::function<bool(double)>& onBand = nullptr);
 
 }
 

@@ -1,6 +1,7 @@
 #include "Scene/OffscreenView.h"
 
 #include "Scene/FloatCapture.h"
+#include "Scene/StopCheck.h"
 
 #include <vtkVariationFieldVolumeMapper.h>
 #include <vtkWindowToImageFilter.h>
@@ -31,6 +32,19 @@ double OffscreenView::Render()
   return elapsed.count();
 }
 
+std::optional<double> OffscreenView::RenderWhile(const std::function<bool()>& isWanted)
+{
+  bool isStopped = false;
+  const StopCheck check(this->window,
+    [&]
+    {
+      isStopped = isStopped || !isWanted();
+      return !isStopped;
+    });
+  const double seconds = this->Render();
+  return isStopped ? std::nullopt : std::optional(seconds);
+}
+
 double OffscreenView::RenderAll(const std::function<void(double)>& onImage)
 {
   auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline.Mapper());
@@ -58,19 +72,21 @@ vtkSmartPointer<vtkImageData> OffscreenView::Bytes()
 
 // Each image takes more voxels in place of the coarse level, so that bands of the first ones would
 // differ.
-vtkSmartPointer<vtkImageData> OffscreenView::FloatImage(const std::function<void(double)>& onBand)
+vtkSmartPointer<vtkImageData> OffscreenView::FloatImage(const std::function<bool(double)>& onBand)
 {
   auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline.Mapper());
   if (ours && ours->GetLevelOfDetail() == vtkVariationFieldVolumeMapper::RefinedLevel)
   {
-    this->RenderAll(
-      [&](double)
-      {
-        if (onBand)
-        {
-          onBand(0.0);
-        }
-      });
+    bool goesOn = true;
+    do
+    {
+      this->Render();
+      goesOn = !onBand || onBand(0.0);
+    } while (goesOn && ours->GetDrawnPart() < 1.0);
+    if (!goesOn)
+    {
+      return nullptr;
+    }
   }
   return CaptureFloatImage(this->window, this->pipeline.Renderer(), onBand);
 }

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace varimarch
@@ -33,6 +34,10 @@ public:
   /// Renders, waits for the device to finish, and returns the time that this took [s].
   double Render();
 
+  /// The same, but StopCheck stops it once the image is not wanted any more.
+  /// @return the time; empty if it was stopped
+  std::optional<double> RenderWhile(const std::function<bool()>& isWanted);
+
   /// Renders until a further image of the scene would not be more exact, see
   /// vtkVariationFieldVolumeMapper::RefinedLevel, and returns the time that this took [s].
   /// @param onImage  called for each image with the time since the beginning [s]
@@ -41,9 +46,9 @@ public:
   /// The last rendered frame over its background, as a byte image.
   vtkSmartPointer<vtkImageData> Bytes();
 
-  /// Renders again into a float image; see CaptureFloatImage. A refined level is rendered by
-  /// RenderAll before.
-  vtkSmartPointer<vtkImageData> FloatImage(const std::function<void(double)>& onBand = nullptr);
+  /// Renders again into a float image; see CaptureFloatImage. A refined level is rendered as
+  /// by RenderAll before.
+  vtkSmartPointer<vtkImageData> FloatImage(const std::function<bool(double)>& onBand = nullptr);
 
   /// The name that the OpenGL driver gives the device.
   std::string DeviceName() { return this->window->GetDeviceName(); }

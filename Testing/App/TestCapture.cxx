@@ -45,7 +45,12 @@ TEST_F(Capture, BandsMakeTheSamePicture)
 {
   const auto whole = this->view.FloatImage();
   int bands = 0;
-  const auto banded = this->view.FloatImage([&](double) { ++bands; });
+  const auto banded = this->view.FloatImage(
+    [&](double)
+    {
+      ++bands;
+      return true;
+    });
   EXPECT_EQ(bands, 4);
   const auto* a = static_cast<const float*>(whole->GetScalarPointer());
   const auto* b = static_cast<const float*>(banded->GetScalarPointer());
@@ -53,6 +58,33 @@ TEST_F(Capture, BandsMakeTheSamePicture)
   {
     ASSERT_EQ(a[i], b[i]) << "channel " << i;
   }
+}
+
+TEST_F(Capture, IsCancelledBetweenBands)
+{
+  int bands = 0;
+  EXPECT_EQ(this->view.FloatImage([&](double) { return ++bands < 3; }), nullptr);
+  EXPECT_EQ(bands, 3);
+  const auto after = this->view.FloatImage();
+  const auto fresh = OffscreenView(this->scene, this->volume, MapperKind::Varimarch).FloatImage();
+  const auto* const a = static_cast<const float*>(after->GetScalarPointer());
+  EXPECT_TRUE(std::equal(a, a + 4 * 70 * 50, static_cast<const float*>(fresh->GetScalarPointer())));
+}
+
+TEST_F(Capture, IsStoppedDuringTheSearchForSteps)
+{
+  auto* const mapper = vtkVariationFieldVolumeMapper::SafeDownCast(this->view.Pipeline().Mapper());
+  EXPECT_FALSE(this->view.RenderWhile([] { return false; }));
+  EXPECT_EQ(mapper->GetToleranceSearches(), 0);
+  EXPECT_TRUE(this->view.RenderWhile([] { return true; }));
+  EXPECT_EQ(mapper->GetToleranceSearches(), 1);
+  OffscreenView fresh(this->scene, this->volume, MapperKind::Varimarch);
+  fresh.Render();
+  const auto a = this->view.Bytes();
+  const auto b = fresh.Bytes();
+  const auto* const bytes = static_cast<const unsigned char*>(a->GetScalarPointer());
+  EXPECT_TRUE(std::equal(bytes, bytes + a->GetNumberOfPoints() * a->GetNumberOfScalarComponents(),
+    static_cast<const unsigned char*>(b->GetScalarPointer())));
 }
 
 TEST_F(Capture, IsPremultipliedAndWithoutBackground)
@@ -102,7 +134,7 @@ TEST(CaptureOfRefinedLevels, HasTheSameLevelsInAllBands)
   reader->SetMaximumHostMemory(TooLittle);
   reader->Update();
   OffscreenView view(scene, reader->GetOutput(), MapperKind::Varimarch);
-  const auto banded = view.FloatImage([](double) {});
+  const auto banded = view.FloatImage([](double) { return true; });
   const auto whole = view.FloatImage();
   const auto* a = static_cast<const float*>(banded->GetScalarPointer());
   const auto* b = static_cast<const float*>(whole->GetScalarPointer());

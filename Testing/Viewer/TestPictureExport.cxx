@@ -6,7 +6,11 @@
 #include "Viewer/View/PictureExport.h"
 
 #include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +74,33 @@ TEST(ExportedPicture, StoresTheSettingsWithoutPatientData)
   ASSERT_TRUE(back.labels);
   EXPECT_EQ(back.labels->segments.size(), 2);
   EXPECT_EQ(back.size, (std::array<int, 2>{ 32, 32 }));
+}
+
+TEST(ExportedPicture, IsNotWrittenIfTheUserCancels)
+{
+  SceneModel model;
+  model.Open(ProceduralSource(), SmallStudy());
+  const QTemporaryDir folder;
+  ExportDialog dialog(&model, { 40, 300 }, nullptr);
+  const Answers save(QMessageBox::Ok, folder.filePath("torso.png"));
+  auto* const progress = dialog.findChild<QProgressBar*>();
+  auto* const cancel = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel);
+  QTimer user;
+  bool isCancelled = false;
+  QObject::connect(&user, &QTimer::timeout, &dialog,
+    [&]
+    {
+      // The first click cancels the export, the second closes the dialog.
+      if (progress->isVisible() || isCancelled)
+      {
+        isCancelled = true;
+        cancel->click();
+      }
+    });
+  user.start(0);
+  EXPECT_EQ(dialog.exec(), QDialog::Rejected);
+  EXPECT_TRUE(isCancelled);
+  EXPECT_FALSE(QFile::exists(folder.filePath("torso.png")));
 }
 
 // DICOM holds no transparency, so its image lies over the background.

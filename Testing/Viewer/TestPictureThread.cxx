@@ -4,6 +4,7 @@
 #include "Viewer/View/VtkPictures.h"
 #include "Waiting.h"
 
+#include <QSignalSpy>
 #include <QTest>
 
 #include <vtkDataArray.h>
@@ -164,6 +165,24 @@ TEST(PictureThread, DrawsTheVoxelsOfAnotherTime)
   const QImage second = PictureOf(thread);
   EXPECT_NE(second, first);
   EXPECT_EQ(second, WithoutThread(scene, later));
+}
+
+// Without that, the window would wait for a search that takes minutes.
+TEST(PictureThread, StopsASearchForStepsOncePicturesOfAnotherLookAreWanted)
+{
+  const auto study = SmallStudy();
+  Scene scene = SceneOfThread();
+  scene.render.errorTolerance = 1e-6;
+  PictureThread thread;
+  thread.Take(ScenePart::Volume, scene, study);
+  thread.Draw({ { 1600, 1200 }, PicturesPerSecondAtRest });
+  QTest::qSleep(300);
+  scene.render.errorTolerance = 1.0 / 16.0;
+  thread.Take(ScenePart::Render, scene, study);
+  QSignalSpy drawn(&thread, &PictureThread::Drawn);
+  thread.Draw({ Pixels, PicturesPerSecondAtRest });
+  ASSERT_TRUE(drawn.wait(MostMilliseconds));
+  EXPECT_EQ(thread.Last()->image.size(), Pixels) << "the first picture is the one wanted last";
 }
 
 TEST(PictureThread, GoesOnIfOnlyTheCountsOfValuesChange)

@@ -2,6 +2,7 @@
 
 #include "Frame/FrameMeasures.h"
 #include "March/Device/FilterPrecision.h"
+#include "March/DrawingStopped.h"
 #include "March/Processor/PacketCapability.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/RayParametersBuilder.h"
@@ -109,6 +110,10 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
   }
   const auto drawTrial = [&](const MarchPlan& tried)
   {
+    if (frame.view.window->CheckAbortStatus())
+    {
+      throw DrawingStopped();
+    }
     this->resources.UpdatePreIntegrated(frame, tried);
     return this->MarcherOf(tried).DrawTrial(frame, tried);
   };

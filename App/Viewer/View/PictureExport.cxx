@@ -23,6 +23,7 @@
 #include <vtkCamera.h>
 
 #include <exception>
+#include <memory>
 
 namespace varimarch
 {
@@ -133,10 +134,26 @@ PictureMaker::~PictureMaker()
   this->view.reset();
 }
 
-QImage PictureMaker::Draw(const std::function<void(double)>& onProgress)
+QImage PictureMaker::Draw(const std::function<bool(double)>& onProgress)
 {
-  const DrawingWithoutDisplay drawing;
-  QImage picture = ImageOfFloats(this->view->FloatImage(onProgress));
+  auto drawing = std::make_unique<DrawingWithoutDisplay>();
+  std::function<bool(double)> tell;
+  if (onProgress)
+  {
+    tell = [&](double part)
+    {
+      drawing.reset(); // for windows that draw meanwhile
+      const bool goesOn = onProgress(part);
+      drawing = std::make_unique<DrawingWithoutDisplay>();
+      return goesOn;
+    };
+  }
+  const vtkSmartPointer<vtkImageData> floats = this->view->FloatImage(tell);
+  if (!floats)
+  {
+    return {};
+  }
+  QImage picture = ImageOfFloats(floats);
   if (!this->options.transparent)
   {
     picture = OnBackground(picture, this->scene.background);
@@ -202,6 +219,7 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
   this->progress->setRange(0, 100);
   this->progress->hide();
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+  this->save = buttons->button(QDialogButtonBox::Save);
   auto* const layout = new QFormLayout(this);
   layout->addRow(tr("Width"), this->width);
   layout->addRow(tr("Height"), this->height);
@@ -210,7 +228,26 @@ ExportDialog::ExportDialog(SceneModel* model, QSize viewSize, QWidget* parent)
   layout->addRow(this->progress);
   layout->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::Export);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+}
+
+void ExportDialog::reject()
+{
+  if (this->exports)
+  {
+    this->exports = false;
+  }
+  else
+  {
+    QDialog::reject();
+  }
+}
+
+bool ExportDialog::GoesOn(double part)
+{
+  this->progress->setValue(int(100.0 * part));
+  QCoreApplication::processEvents();
+  return this->exports;
 }
 
 void ExportDialog::Export()
@@ -222,34 +259,42 @@ void ExportDialog::Export()
     return;
   }
   this->progress->show();
+  this->save->setEnabled(false);
+  this->exports = true;
   try
   {
-    const std::string file = this->path.toStdString();
-    const Scene& scene = this->model->CurrentScene();
-    const bool isTransparent =
-      this->transparent->isChecked() && PictureFormatOf(file) == PictureFormat::Png;
-    this->model->CountSegments();
-    const auto study = this->model->CurrentStudy();
-    PictureMaker maker(scene, *study,
-      { { this->width->value(), this->height->value() }, isTransparent,
-        this->overlay->isChecked() });
-    const QImage picture = maker.Draw(
-      [this](double part)
-      {
-        this->progress->setValue(int(100.0 * part));
-        this->progress->repaint();
-      });
-    WritePicture(BytesOfImage(picture),
-      { scene.render, MapperKind::Varimarch, picture.text("varimarch-scene").toStdString(), {},
-        study->volume.isPreview },
-      file);
-    this->accept();
+    this->Write();
   }
   catch (const std::exception& problem)
   {
     QMessageBox::warning(this, tr("Cannot export"), QString::fromStdString(problem.what()));
   }
+  this->exports = false;
+  this->save->setEnabled(true);
   this->progress->hide();
+}
+
+// Scene and study are those of the beginning: others may come while windows draw.
+void ExportDialog::Write()
+{
+  const std::string file = this->path.toStdString();
+  const bool isTransparent =
+    this->transparent->isChecked() && PictureFormatOf(file) == PictureFormat::Png;
+  this->model->CountSegments();
+  const Scene scene = this->model->CurrentScene();
+  const auto study = this->model->CurrentStudy();
+  PictureMaker maker(scene, *study,
+    { { this->width->value(), this->height->value() }, isTransparent, this->overlay->isChecked() });
+  const QImage picture = maker.Draw([this](double part) { return this->GoesOn(part); });
+  if (picture.isNull())
+  {
+    return;
+  }
+  WritePicture(BytesOfImage(picture),
+    { scene.render, MapperKind::Varimarch, picture.text("varimarch-scene").toStdString(), {},
+      study->volume.isPreview },
+    file);
+  this->accept();
 }
 
 }

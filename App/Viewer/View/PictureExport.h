@@ -14,6 +14,7 @@
 
 class QCheckBox;
 class QProgressBar;
+class QPushButton;
 class QSpinBox;
 
 namespace varimarch
@@ -43,8 +44,10 @@ public:
 
   /// Renders an image. Its text entry "varimarch-scene" holds the settings without data that may
   /// identify a patient: path and series of the volume, and names given by the user.
-  /// @param onProgress  receives the fraction done, [0, 1)
-  QImage Draw(const std::function<void(double)>& onProgress = nullptr);
+  /// @param onProgress  receives the fraction done, [0, 1); may let windows draw, and returns false
+  ///                    to cancel
+  /// @return null if cancelled
+  QImage Draw(const std::function<bool(double)>& onProgress = nullptr);
 
   /// Draws another time of the volume from now on.
   void ShowTime(const LoadedVolume& ofTime);
@@ -74,15 +77,23 @@ public:
   /// The file that was written, once the dialog is accepted.
   QString Path() const { return this->path; }
 
+  /// Cancels the export that goes on, or closes the dialog.
+  void reject() override;
+
 private:
   void Export();
+  void Write();
+  /// Shows the fraction done and lets the user cancel; returns false then.
+  bool GoesOn(double part);
 
   SceneModel* model;
+  bool exports = false; ///< true while an image is rendered
   QSpinBox* width;
   QSpinBox* height;
   QCheckBox* transparent;
   QCheckBox* overlay;
   QProgressBar* progress;
+  QPushButton* save;
   QString path;
 };
 

@@ -24,7 +24,7 @@ namespace varimarch
 namespace
 {
 
-// A picture that is no longer wanted takes at most this long, apart from a search for steps.
+// A picture that is no longer wanted takes at most this long; a search for steps is stopped.
 constexpr double LongestPartOfThreadSeconds = 0.1;
 
 // A picture that is wanted, with what the thread needs to draw it.
@@ -42,7 +42,9 @@ struct Order
 class ThreadView
 {
 public:
-  ThreadPicture Draw(Order order);
+  /// @param isWanted  false stops the search for the steps of a fine picture
+  /// @return empty if it was stopped
+  std::optional<ThreadPicture> Draw(Order order, const std::function<bool()>& isWanted);
 
 private:
   void CopyLabels(Order& order);
@@ -124,7 +126,7 @@ vtkSmartPointer<vtkImageData> ThreadView::SharedMask()
   return mask ? SharedCopy({ mask, {}, {} }) : nullptr;
 }
 
-ThreadPicture ThreadView::Draw(Order order)
+std::optional<ThreadPicture> ThreadView::Draw(Order order, const std::function<bool()>& isWanted)
 {
   this->CopyLabels(order);
   const WantedPicture& wanted = *order.wanted;
@@ -138,16 +140,22 @@ ThreadPicture ThreadView::Draw(Order order)
   this->view->SetPicturesPerSecond(
     isMoving ? 1.0 / this->moving.SecondsForRays(allocatedSeconds) : wanted.picturesPerSecond);
   ThreadPicture picture;
-  picture.seconds = this->view->Render();
+  const std::optional<double> seconds =
+    isMoving ? this->view->Render() : this->view->RenderWhile(isWanted);
+  if (!seconds)
+  {
+    return std::nullopt;
+  }
+  picture.seconds = *seconds;
   picture.image = ImageOfBytes(this->view->Bytes()).convertToFormat(QImage::Format_RGB32);
   picture.numbers = NumbersOf(MapperOf(*this->view));
   picture.mask = this->SharedMask();
   picture.wanted = wanted;
   if (isMoving && isFamiliar)
   {
-    const double seconds = 1e-9 * double(timer.nsecsElapsed());
+    const double secondsOfAll = 1e-9 * double(timer.nsecsElapsed());
     this->moving.Took(
-      wanted.pixels, seconds - MapperOf(*this->view)->GetTimeToDraw(), allocatedSeconds);
+      wanted.pixels, secondsOfAll - MapperOf(*this->view)->GetTimeToDraw(), allocatedSeconds);
   }
   return picture;
 }
@@ -182,13 +190,20 @@ struct PictureThread::Work
     return order;
   }
 
-  /// Keeps a picture unless its volume was replaced meanwhile. From now on the thread is idle:
-  /// whoever is told of the picture may ask for the next part of it at once.
-  void Finish(ThreadPicture picture, int volume)
+  /// False once another picture is wanted instead of the one that is drawn, or none.
+  bool IsWanted()
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    return !this->stops && !this->next.wanted;
+  }
+
+  /// Keeps a picture, unless it was stopped or its volume was replaced meanwhile. From now on the
+  /// thread is idle: whoever is told of the picture may ask for the next part of it at once.
+  void Finish(std::optional<ThreadPicture> picture, int volume)
   {
     const std::lock_guard<std::mutex> lock(this->mutex);
     this->isDrawing = false;
-    if (volume == this->next.volume)
+    if (picture && volume == this->next.volume)
     {
       this->finished = std::move(picture);
     }
@@ -201,7 +216,7 @@ struct PictureThread::Work
     {
       try
       {
-        this->Finish(view.Draw(*order), order->volume);
+        this->Finish(view.Draw(*order, [this] { return this->IsWanted(); }), order->volume);
       }
       catch (const std::exception&)
       {
