@@ -8,6 +8,7 @@
 #include "Scene/ScenePicking.h"
 #include "TorsoWindow.h"
 #include "Viewer/Model/SessionFile.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/Model/TimeSeries.h"
 #include "Viewer/Panels/TimeBar.h"
 #include "Viewer/Panels/TimeCurve.h"
@@ -185,6 +186,41 @@ TEST_F(Times, StayWhereStepsAreTakenBack)
   this->Model()->History()->undo();
   ASSERT_TRUE(this->Awaits(0));
   EXPECT_EQ(this->Model()->CurrentScene().camera.zoom, 2.0);
+}
+
+TEST_F(Times, OfAddedScansFollowIfThereAreAsMany)
+{
+  this->OpenTimes();
+  this->files.Write("other.nrrd", NrrdOfTimes());
+  this->window.AddScan(QString::fromStdString(this->files.Path("other.nrrd")));
+  const auto overlays = [this] { return this->Model()->CurrentScene().overlays; };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return overlays().size() == 1; }, MostMilliseconds));
+  const auto shown = [this]
+  {
+    vtkImageData* const image = this->Model()->StudyOf(1)->volume.image;
+    return ValueAt(image, MiddleOf(image)).value_or(-1.0);
+  };
+  EXPECT_EQ(shown(), ValueAtTime(0));
+  this->Slider()->setValue(4);
+  ASSERT_TRUE(this->Awaits(4));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == ValueAtTime(4); }, MostMilliseconds));
+  EXPECT_EQ(std::get<FileSource>(overlays()[0].source).time, 4) << "for sessions";
+  EXPECT_EQ(StudyTimes(this->Model()->CurrentScene(), this->Model()->CurrentStudy())
+              .Read(2)
+              ->overlays[0]
+              ->volume.times.current,
+    2)
+    << "for images in files";
+  this->Model()->History()->undo();
+  ASSERT_TRUE(this->Awaits(0));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == ValueAtTime(0); }, MostMilliseconds));
+  this->files.Write("other.nrrd", NrrdOfTimes().substr(0, 1000));
+  QSignalSpy failed(this->window.findChild<TimeSeries*>(), &TimeSeries::Failed);
+  this->Slider()->setValue(5);
+  ASSERT_TRUE(this->Awaits(5));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, MostMilliseconds));
+  EXPECT_TRUE(failed.first().first().toString().contains("other.nrrd"));
+  EXPECT_EQ(shown(), ValueAtTime(0)) << "it keeps the time that was read";
 }
 
 TEST_F(Times, OfSessionsAreRestored)

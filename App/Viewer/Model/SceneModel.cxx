@@ -139,7 +139,7 @@ void SceneModel::Restore(const Scene& saved, std::shared_ptr<const Study> opened
   this->exchanged.reset();
   State restored = { std::move(opened), saved };
   restored.scene.look = InUnitsOfData(saved.look, restored.study->statistics);
-  TakeTime(restored);
+  TakeTime(restored, 0);
   TakeOverlays(restored);
   this->edited = 0;
   this->versionsInFiles.clear();
@@ -298,12 +298,14 @@ void SceneModel::SetPreset(const Preset& preset, const QString& name)
 }
 
 // A scene can name its time by seconds; from now on it has a number.
-void SceneModel::TakeTime(State& taken)
+void SceneModel::TakeTime(State& taken, int volume)
 {
-  if (auto* const file = std::get_if<FileSource>(&taken.scene.volume))
+  Scene& scene = taken.scene;
+  VolumeSource& source = volume == 0 ? scene.volume : scene.overlays[volume - 1].source;
+  if (auto* const file = std::get_if<FileSource>(&source))
   {
     file->timeSeconds.reset();
-    file->time = taken.study->volume.times.current;
+    file->time = StudyOfVolume(*taken.study, volume).volume.times.current;
   }
 }
 
@@ -320,12 +322,13 @@ void SceneModel::ChooseTime(int time, const QString& name, int gesture)
     gesture);
 }
 
-void SceneModel::ShowTime(const LoadedVolume& ofTime)
+void SceneModel::ShowTime(const LoadedVolume& ofTime, int volume)
 {
-  this->state.study = AtTime(*this->state.study, ofTime);
-  const bool isOther = this->ChosenTime() != ofTime.times.current;
-  TakeTime(this->state);
-  emit this->Changed(ScenePart::Voxels);
+  const Study& study = *this->state.study;
+  const bool isOther = volume == 0 && this->ChosenTime() != ofTime.times.current;
+  this->state.study = WithVolume(study, volume, AtTime(StudyOfVolume(study, volume), ofTime));
+  TakeTime(this->state, volume);
+  emit this->Changed(volume == 0 ? ScenePart::Voxels : ScenePart::Overlays);
   if (isOther)
   {
     emit this->Changed(ScenePart::Time);

@@ -95,8 +95,8 @@ public:
   /// Names another time of a scan with several. This is an undo step.
   void ChooseTime(int time, const QString& name, int gesture = NoGesture);
 
-  /// Shows the voxels of a time of the scan, which the scene then names.
-  void ShowTime(const LoadedVolume& ofTime);
+  /// Shows the voxels of a time of a volume, which the scene then names.
+  void ShowTime(const LoadedVolume& ofTime, int volume = 0);
 
   /// Takes the counts of all times of the scan.
   void TakeCounts(std::shared_ptr<const ImageStatistics> allTimes);
@@ -199,7 +199,7 @@ private:
   /// The current scene with another study.
   State WithStudy(std::shared_ptr<const Study> study) const;
 
-  static void TakeTime(State& taken);
+  static void TakeTime(State& taken, int volume);
   static void TakeSegments(State& taken, int volume);
   void TakeVersionOfFile(State& taken, int volume);
   static void TakeOverlays(State& taken);

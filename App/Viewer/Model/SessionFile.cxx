@@ -71,6 +71,13 @@ QString WorkText(const Scene& scene, const Study& study)
   work.scattering = scene.scattering;
   work.occlusion = scene.occlusion;
   work.overlays = scene.overlays;
+  for (OverlaidVolume& overlay : work.overlays)
+  {
+    if (auto* const file = std::get_if<FileSource>(&overlay.source))
+    {
+      file->time = 0; // to look at another time is no work
+    }
+  }
   if (!IsBuiltInLook(scene.look, study.statistics))
   {
     work.look = scene.look;

@@ -79,6 +79,12 @@ std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTim
   return std::make_shared<const Study>(std::move(other));
 }
 
+bool FollowsTimes(const Study& first, const Study& over)
+{
+  const LoadedTimes& times = first.volume.times;
+  return times.AreSeveral() && over.volume.times.values.size() == times.values.size();
+}
+
 std::shared_ptr<const Study> WithCounts(const Study& study, vtkImageData* image)
 {
   const vtkSmartPointer<vtkImageData> numbers = CopyOfLabels(study);

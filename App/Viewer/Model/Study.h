@@ -56,6 +56,10 @@ void CheckSizeOfTime(const LoadedVolume& ofTime, const VolumeSize& expected);
 /// anew.
 std::shared_ptr<const Study> AtTime(const Study& scan, const LoadedVolume& ofTime);
 
+/// True if a volume over the first one has as many times, which then follow those of the first. So
+/// does the first one itself.
+bool FollowsTimes(const Study& first, const Study& over);
+
 /// Another form of a volume, with the overlays of that volume.
 std::shared_ptr<const Study> WithOverlaysOf(
   const Study& scan, const std::shared_ptr<const Study>& form);

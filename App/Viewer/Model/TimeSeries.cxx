@@ -29,7 +29,9 @@ struct TimeSeries::Found
 TimeSeries::TimeSeries(SceneModel* model, QObject* parent)
   : QObject(parent)
   , model(model)
+  , overlays(model)
 {
+  connect(&this->overlays, &OverlayTimes::Failed, this, &TimeSeries::Failed);
   this->showing.setSingleShot(true);
   connect(&this->showing, &QTimer::timeout, this, &TimeSeries::ShowChosen);
   connect(&this->task, &BackgroundTask::Failed, this, &TimeSeries::Leave);
@@ -52,7 +54,7 @@ bool TimeSeries::AreCounted() const
   return this->sum && (this->counted.empty() || int(this->counted.size()) == this->Count());
 }
 
-bool TimeSeries::IsShown() const
+bool TimeSeries::IsScanShown() const
 {
   return this->model->CurrentStudy()->volume.times.current == this->model->ChosenTime();
 }
@@ -103,7 +105,7 @@ void TimeSeries::ShowChosen()
     return;
   }
   const auto chosen = this->kept.find(this->model->ChosenTime());
-  if (chosen != this->kept.end() && !this->IsShown())
+  if (chosen != this->kept.end() && !this->IsScanShown())
   {
     this->model->ShowTime(chosen->second);
   }
@@ -213,7 +215,7 @@ void TimeSeries::DropOthers()
 void TimeSeries::Leave(const QString& reason)
 {
   this->failed.insert(this->reading);
-  if (this->reading == this->model->ChosenTime() && !this->IsShown())
+  if (this->reading == this->model->ChosenTime() && !this->IsScanShown())
   {
     this->model->ShowTime(this->model->CurrentStudy()->volume);
     emit this->Failed(reason);

@@ -3,6 +3,7 @@
 
 #include "Scene/VolumeLoading.h"
 #include "Viewer/Model/BackgroundTask.h"
+#include "Viewer/Model/OverlayTimes.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QObject>
@@ -35,8 +36,8 @@ public:
   /// Changes the memory of the times that are kept.
   void SetMostBytes(std::uint64_t bytes);
 
-  /// True if the time that the scene names is shown.
-  bool IsShown() const;
+  /// True if the time that the scene names is shown, by the volumes over the scan too.
+  bool IsShown() const { return this->IsScanShown() && this->overlays.AreShown(); }
 
   /// The times in memory, by their numbers.
   const std::map<int, LoadedVolume>& Kept() const { return this->kept; }
@@ -60,11 +61,13 @@ private:
   void DropOthers();
   void Leave(const QString& reason);
   int Count() const;
+  bool IsScanShown() const;
   bool AreCounted() const;
   std::vector<int> Needed() const;
   std::optional<int> NextToRead() const;
 
   SceneModel* model;
+  OverlayTimes overlays;
   BackgroundTask task;
   QTimer showing; ///< waits until everyone knows the change of the model
   std::uint64_t mostBytes = MostBytes;

@@ -115,7 +115,7 @@ std::string AnonymousText(Scene scene)
 
 PictureMaker::PictureMaker(const Scene& scene, const Study& study, const ExportOptions& options)
   : scene(OfSize(scene, options.pixels))
-  , volume(study.volume)
+  , study(study)
   , options(options)
 {
   const DrawingWithoutDisplay drawing;
@@ -165,7 +165,7 @@ QImage PictureMaker::Draw(const std::function<bool(double)>& onProgress)
   if (this->options.overlay)
   {
     DrawOverlay(painter,
-      { this->scene, MeasureTexts(this->scene, this->volume), this->volume.image },
+      { this->scene, MeasureTexts(this->scene, this->study.volume), this->study.volume.image },
       FrameOf(this->view->Pipeline().Renderer()->GetActiveCamera(), size),
       this->view->Pipeline().Mask());
   }
@@ -175,12 +175,13 @@ QImage PictureMaker::Draw(const std::function<bool(double)>& onProgress)
   return picture;
 }
 
-void PictureMaker::ShowTime(const LoadedVolume& ofTime)
+void PictureMaker::ShowTime(const Study& ofTime)
 {
   const DrawingWithoutDisplay drawing;
-  this->volume = ofTime;
-  std::get<FileSource>(this->scene.volume).time = ofTime.times.current;
-  this->view->Pipeline().SetImage(ofTime.image);
+  this->study = ofTime;
+  std::get<FileSource>(this->scene.volume).time = ofTime.volume.times.current;
+  this->view->Pipeline().SetImage(ofTime.volume.image);
+  this->view->Pipeline().SetOverlays(this->scene.overlays, VoxelsOfOverlays(ofTime));
 }
 
 void PictureMaker::Turn(double degrees)

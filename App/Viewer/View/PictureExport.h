@@ -3,7 +3,7 @@
 
 #include "Scene/OffscreenView.h"
 #include "Scene/Scene.h"
-#include "Scene/VolumeLoading.h"
+#include "Viewer/Model/Study.h"
 
 #include <QDialog>
 #include <QImage>
@@ -21,7 +21,6 @@ namespace varimarch
 {
 
 class SceneModel;
-struct Study;
 
 struct ExportOptions
 {
@@ -49,15 +48,15 @@ public:
   /// @return null if cancelled
   QImage Draw(const std::function<bool(double)>& onProgress = nullptr);
 
-  /// Draws another time of the volume from now on.
-  void ShowTime(const LoadedVolume& ofTime);
+  /// Draws the volumes at another time from now on.
+  void ShowTime(const Study& ofTime);
 
   /// Turns the eye about the vertical of the image.
   void Turn(double degrees);
 
 private:
   Scene scene;
-  LoadedVolume volume;
+  Study study;
   ExportOptions options;
   std::optional<OffscreenView> view;
 };

@@ -1,6 +1,6 @@
 #include "Viewer/View/TimesMovie.h"
 
-#include "Viewer/Model/MemoryLimit.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/View/Turntable.h"
 
 #include <numeric>
@@ -30,7 +30,7 @@ bool WriteTimesMovie(
   const TimesMovie& movie, const QString& path, const std::function<bool(double)>& onProgress)
 {
   const std::vector<int> times = TimesOfPictures(movie, path);
-  TimeReader reader(WithinMemory(std::get<FileSource>(movie.scene.volume)));
+  StudyTimes reader(movie.scene, movie.study);
   PictureMaker maker(movie.scene, *movie.study, movie.options);
   int drawn = -1;
   QImage picture;
@@ -40,9 +40,7 @@ bool WriteTimesMovie(
     if (time != drawn)
     {
       const double part = double(number) / double(times.size());
-      const LoadedVolume read = reader.Read(time, [&](double) { return onProgress(part); });
-      CheckSizeOfTime(read, SizeOfVolume(movie.study->volume));
-      maker.ShowTime(read);
+      maker.ShowTime(*reader.Read(time, [&](double) { return onProgress(part); }));
       picture = maker.Draw();
       drawn = time;
     }

@@ -1,0 +1,112 @@
+#include "Viewer/Model/OverlayTimes.h"
+
+#include "Scene/SceneVolumes.h"
+#include "Viewer/Model/MemoryLimit.h"
+
+#include <iterator>
+
+namespace varimarch
+{
+
+OverlayTimes::OverlayTimes(SceneModel* model, QObject* parent)
+  : QObject(parent)
+  , model(model)
+{
+  this->reading.setSingleShot(true);
+  connect(&this->reading, &QTimer::timeout, this, &OverlayTimes::ReadNext);
+  connect(&this->task, &BackgroundTask::Failed, this, &OverlayTimes::Leave);
+  connect(model, &SceneModel::Changed, this, &OverlayTimes::Follow);
+}
+
+void OverlayTimes::Follow(ScenePart part)
+{
+  if (part == ScenePart::Volume || part == ScenePart::Time)
+  {
+    this->failed.clear(); // they are tried again
+  }
+  if (part == ScenePart::Volume || part == ScenePart::Overlays)
+  {
+    this->ForgetRemoved();
+  }
+  if (this->NextToRead())
+  {
+    this->reading.start(0);
+  }
+}
+
+void OverlayTimes::ForgetRemoved()
+{
+  std::set<Volume> shown;
+  for (const auto& overlay : this->model->CurrentStudy()->overlays)
+  {
+    shown.insert(overlay->labelGuard);
+  }
+  for (auto reader = this->readers.begin(); reader != this->readers.end();)
+  {
+    reader = shown.count(reader->first) > 0 ? std::next(reader) : this->readers.erase(reader);
+  }
+}
+
+std::optional<int> OverlayTimes::NextToRead() const
+{
+  const auto study = this->model->CurrentStudy();
+  const int time = this->model->ChosenTime();
+  for (int volume = 1; study && volume <= int(study->overlays.size()); ++volume)
+  {
+    const Study& overlay = *study->overlays[volume - 1];
+    if (FollowsTimes(*study, overlay) && overlay.volume.times.current != time &&
+      this->failed.count({ overlay.labelGuard, time }) == 0)
+    {
+      return volume;
+    }
+  }
+  return std::nullopt;
+}
+
+std::shared_ptr<TimeReader> OverlayTimes::ReaderOf(int volume)
+{
+  std::shared_ptr<TimeReader>& reader = this->readers[this->model->StudyOf(volume)->labelGuard];
+  if (!reader)
+  {
+    const VolumeSource& source = VolumeSourceOf(this->model->CurrentScene(), volume);
+    reader = std::make_shared<TimeReader>(WithinMemory(std::get<FileSource>(source)));
+  }
+  return reader;
+}
+
+void OverlayTimes::ReadNext()
+{
+  const std::optional<int> volume = this->task.IsRunning() ? std::nullopt : this->NextToRead();
+  if (!volume)
+  {
+    return;
+  }
+  const int time = this->model->ChosenTime();
+  const auto study = this->model->StudyOf(*volume);
+  const auto found = std::make_shared<LoadedVolume>();
+  this->last = { study->labelGuard, time };
+  this->task.Start(
+    [found, time, size = SizeOfVolume(study->volume), source = this->ReaderOf(*volume)](
+      const TaskProgress& progress)
+    {
+      *found = source->Read(time, progress);
+      CheckSizeOfTime(*found, size);
+    },
+    [this, found, study]
+    {
+      if (const std::optional<int> now = this->model->VolumeOf(*study))
+      {
+        this->model->ShowTime(*found, *now);
+      }
+      this->reading.start(0);
+    });
+}
+
+void OverlayTimes::Leave(const QString& reason)
+{
+  this->failed.insert(this->last);
+  emit this->Failed(reason);
+  this->reading.start(0);
+}
+
+}
