@@ -4,13 +4,21 @@
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
 #include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace varimarch
 {
@@ -18,91 +26,193 @@ namespace varimarch
 namespace
 {
 
-// First and last voxel along each axis, as in the extents of vtkImageData. An empty range has its
-// last voxel before the first.
-std::array<int, 6> VoxelsIn(
-  const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm, vtkImageData* image)
+// Rounding of positions [voxels].
+constexpr double Rounding = 1e-9;
+
+glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
 {
-  double corners[2][3];
-  image->TransformPhysicalPointToContinuousIndex(fromMm.data(), corners[0]);
-  image->TransformPhysicalPointToContinuousIndex(toMm.data(), corners[1]);
-  std::array<int, 6> voxels;
-  const int* const extent = image->GetExtent();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // Clamp to just outside the volume, so that the index fits into an int.
-    const auto part = [&](int corner) {
-      return std::clamp(corners[corner][axis], extent[2 * axis] - 1.0, extent[2 * axis + 1] + 1.0);
-    };
-    const double first = std::min(part(0), part(1));
-    const double last = std::max(part(0), part(1));
-    int begin = int(std::ceil(first - 1e-9));
-    int end = int(std::floor(last + 1e-9));
-    if (end < begin)
-    {
-      begin = end = int(std::lround(0.5 * (first + last)));
-    }
-    voxels[2 * axis] = std::max(begin, extent[2 * axis]);
-    voxels[2 * axis + 1] = std::min(end, extent[2 * axis + 1]);
-  }
-  return voxels;
+  return glm::transpose(glm::make_mat4(matrix->GetData())); // VTK stores matrices by rows
 }
 
-ValueSums SumsOf(const std::array<int, 6>& voxels, vtkImageData* image)
+/// The first and last index of some voxels along an axis; none if the last lies before the first.
+struct IndexRange
 {
-  ValueSums sums(0.0);
-  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
-  const int* const extent = image->GetExtent();
-  const auto indexOf = [&](int i, int j, int k)
+  int first;
+  int last;
+};
+
+// A box in the grid that it lies along, and that grid as seen from the voxels to be counted.
+class BoxOverVoxels
+{
+public:
+  BoxOverVoxels(const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm,
+    vtkImageData* grid, vtkImageData* voxels)
+    : gridFromVoxel(
+        MatrixOf(grid->GetPhysicalToIndexMatrix()) * MatrixOf(voxels->GetIndexToPhysicalMatrix()))
+    , extent(voxels->GetExtent())
   {
-    const vtkIdType rows = extent[3] - extent[2] + 1;
-    const vtkIdType columns = extent[1] - extent[0] + 1;
-    return ((k - extent[4]) * rows + (j - extent[2])) * columns + (i - extent[0]);
-  };
-  const auto sumUp = [&](auto* array)
+    glm::dvec3 from;
+    glm::dvec3 to;
+    grid->TransformPhysicalPointToContinuousIndex(fromMm.data(), &from.x);
+    grid->TransformPhysicalPointToContinuousIndex(toMm.data(), &to.x);
+    this->first = glm::min(from, to);
+    this->last = glm::max(from, to);
+    this->TakeOneVoxelAtLeast();
+  }
+
+  /// Indices along an axis between which all voxels of the box lie, and perhaps others.
+  IndexRange Around(int axis) const
+  {
+    const glm::dmat4 voxelFromGrid = glm::inverse(this->gridFromVoxel);
+    double smallest = std::numeric_limits<double>::infinity();
+    double largest = -smallest;
+    for (int i = 0; i < 8; ++i)
+    {
+      const glm::dvec4 corner(i & 1 ? this->last.x : this->first.x,
+        i >> 1 & 1 ? this->last.y : this->first.y, i >> 2 ? this->last.z : this->first.z, 1.0);
+      const double at = (voxelFromGrid * corner)[axis];
+      smallest = std::min(smallest, at);
+      largest = std::max(largest, at);
+    }
+    constexpr double Margin = 1e-3; // more than roundings
+    return this->Clamped(axis, smallest - Margin, largest + Margin);
+  }
+
+  /// The voxels of a row along x whose centres lie in the box.
+  IndexRange InRow(int j, int k) const
+  {
+    const glm::dvec4 start = this->gridFromVoxel * glm::dvec4(0.0, j, k, 1.0);
+    const glm::dvec4 step = this->gridFromVoxel[0];
+    double from = -std::numeric_limits<double>::infinity();
+    double to = -from;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double before = this->first[axis] - Rounding - start[axis];
+      const double after = this->last[axis] + Rounding - start[axis];
+      if (std::abs(step[axis]) * this->LongestRow() > Rounding)
+      {
+        from = std::max(from, std::min(before / step[axis], after / step[axis]));
+        to = std::min(to, std::max(before / step[axis], after / step[axis]));
+      }
+      else if (before > 0.0 || after < 0.0)
+      {
+        return { 0, -1 };
+      }
+    }
+    return this->Clamped(0, from, to);
+  }
+
+private:
+  // Where the box is thinner than the distance of the voxels, it takes those nearest to its middle.
+  void TakeOneVoxelAtLeast()
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double distance = 0.0;
+      for (int along = 0; along < 3; ++along)
+      {
+        distance += std::abs(this->gridFromVoxel[along][axis]);
+      }
+      if (this->last[axis] - this->first[axis] < distance - 2.0 * Rounding)
+      {
+        const double middle = 0.5 * (this->first[axis] + this->last[axis]);
+        // Two layers that are equally near would both lie in a closed range.
+        this->first[axis] = middle - 0.5 * distance + 2.0 * Rounding;
+        this->last[axis] = middle + 0.5 * distance;
+      }
+    }
+  }
+
+  double LongestRow() const { return double(this->extent[1]) - this->extent[0] + 1.0; }
+
+  // Positions may be too large for an int.
+  IndexRange Clamped(int axis, double from, double to) const
+  {
+    const double smallest = this->extent[2 * axis];
+    const double largest = this->extent[2 * axis + 1];
+    if (!(from <= largest) || !(to >= smallest))
+    {
+      return { 0, -1 };
+    }
+    return { int(std::ceil(std::max(from, smallest))), int(std::floor(std::min(to, largest))) };
+  }
+
+  glm::dmat4 gridFromVoxel;
+  const int* extent;
+  glm::dvec3 first;
+  glm::dvec3 last;
+};
+
+// The number of a voxel among the voxels of a volume.
+vtkIdType NumberOf(int i, int j, int k, const int* extent)
+{
+  const vtkIdType rows = extent[3] - extent[2] + 1;
+  const vtkIdType columns = extent[1] - extent[0] + 1;
+  return ((k - extent[4]) * rows + (j - extent[2])) * columns + (i - extent[0]);
+}
+
+/// The sums of the values in a box, of an array of any type.
+struct SummingUp
+{
+  const BoxOverVoxels& box;
+  IndexRange rows;
+  IndexRange slices;
+  const int* extent;
+  ValueSums sums{ 0.0 };
+
+  template <class Array>
+  void operator()(Array* array)
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
-    const ValueSums none{ double(tuples[indexOf(voxels[0], voxels[2], voxels[4])][0]) };
-    sums = tbb::parallel_reduce(
-      tbb::blocked_range2d<int>(voxels[4], voxels[5] + 1, voxels[2], voxels[3] + 1), none,
-      [&](const tbb::blocked_range2d<int>& part, ValueSums partial)
+    const auto valueAt = [&](int i, int j, int k)
+    { return double(tuples[NumberOf(i, j, k, this->extent)][0]); };
+    // A value of the volume as the offset keeps the digits of large values.
+    const ValueSums none{ valueAt(this->extent[0], this->rows.first, this->slices.first) };
+    const auto addPart = [&](const tbb::blocked_range2d<int>& part, ValueSums partial)
+    {
+      for (int k = part.rows().begin(); k != part.rows().end(); ++k)
       {
-        for (int k = part.rows().begin(); k != part.rows().end(); ++k)
+        for (int j = part.cols().begin(); j != part.cols().end(); ++j)
         {
-          for (int j = part.cols().begin(); j != part.cols().end(); ++j)
+          const IndexRange row = this->box.InRow(j, k);
+          for (int i = row.first; i <= row.last; ++i)
           {
-            for (vtkIdType i = indexOf(voxels[0], j, k); i <= indexOf(voxels[1], j, k); ++i)
-            {
-              partial.Add(double(tuples[i][0]));
-            }
+            partial.Add(valueAt(i, j, k));
           }
         }
-        return partial;
-      },
+      }
+      return partial;
+    };
+    const tbb::blocked_range2d<int> all(
+      this->slices.first, this->slices.last + 1, this->rows.first, this->rows.last + 1);
+    this->sums = tbb::parallel_reduce(all, none, addPart,
       [](ValueSums a, const ValueSums& b)
       {
         a.Join(b);
         return a;
       });
-  };
-  if (!vtkArrayDispatch::Dispatch::Execute(scalars, sumUp))
-  {
-    sumUp(scalars);
   }
-  return sums;
-}
+};
 
 }
 
-RegionStatistics StatisticsOfBox(
-  const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm, vtkImageData* image)
+RegionStatistics StatisticsOfBox(const std::array<double, 3>& fromMm,
+  const std::array<double, 3>& toMm, vtkImageData* grid, vtkImageData* voxels)
 {
-  const std::array<int, 6> voxels = VoxelsIn(fromMm, toMm, image);
-  if (voxels[1] < voxels[0] || voxels[3] < voxels[2] || voxels[5] < voxels[4])
+  const BoxOverVoxels box(fromMm, toMm, grid, voxels);
+  const IndexRange rows = box.Around(1);
+  const IndexRange slices = box.Around(2);
+  if (rows.last < rows.first || slices.last < slices.first)
   {
     return {};
   }
-  return SumsOf(voxels, image).Statistics(image);
+  SummingUp summing{ box, rows, slices, voxels->GetExtent() };
+  vtkDataArray* const scalars = voxels->GetPointData()->GetScalars();
+  if (!vtkArrayDispatch::Dispatch::Execute(scalars, summing))
+  {
+    summing(scalars);
+  }
+  return summing.sums.Statistics(voxels);
 }
 
 }

@@ -38,7 +38,7 @@ MeasureLines LineThroughPoints(const Measure& measure, vtkImageData*)
   return { PointsOf(measure) };
 }
 
-MeasureValues LengthOfLine(const Measure& measure, vtkImageData*)
+MeasureValues LengthOfLine(const Measure& measure, vtkImageData*, vtkImageData*)
 {
   return { glm::distance(PointOf(measure, 0), PointOf(measure, 1)) };
 }
@@ -49,7 +49,7 @@ MeasureLines ArmsFromVertex(const Measure& measure, vtkImageData*)
     { PointOf(measure, 1), PointOf(measure, 2) } };
 }
 
-MeasureValues AngleAtVertex(const Measure& measure, vtkImageData*)
+MeasureValues AngleAtVertex(const Measure& measure, vtkImageData*, vtkImageData*)
 {
   const glm::dvec3 vertex = PointOf(measure, 1);
   return { {}, DegreesBetween(PointOf(measure, 0) - vertex, PointOf(measure, 2) - vertex) };
@@ -62,7 +62,7 @@ MeasureLines TwoLines(const Measure& measure, vtkImageData*)
 }
 
 // Lines have no direction, so that the angle is at most 90 degrees.
-MeasureValues AngleOfLines(const Measure& measure, vtkImageData*)
+MeasureValues AngleOfLines(const Measure& measure, vtkImageData*, vtkImageData*)
 {
   const double degrees = DegreesBetween(
     PointOf(measure, 1) - PointOf(measure, 0), PointOf(measure, 3) - PointOf(measure, 2));
@@ -98,9 +98,10 @@ MeasureLines EdgesOfBox(const Measure& measure, vtkImageData* image)
   return edges;
 }
 
-MeasureValues ValuesOfBox(const Measure& measure, vtkImageData* image)
+MeasureValues ValuesOfBox(const Measure& measure, vtkImageData* image, vtkImageData* voxels)
 {
-  const RegionStatistics found = StatisticsOfBox(measure.pointsMm[0], measure.pointsMm[1], image);
+  const RegionStatistics found =
+    StatisticsOfBox(measure.pointsMm[0], measure.pointsMm[1], image, voxels);
   return { {}, {}, {}, found.volumeMm3, found };
 }
 
@@ -130,12 +131,12 @@ MeasureLines LineOfEllipse(const Measure& measure, vtkImageData*)
   return Closed(PointsOnEllipse(measure));
 }
 
-MeasureValues ValuesOfEllipse(const Measure& measure, vtkImageData* image)
+MeasureValues ValuesOfEllipse(const Measure& measure, vtkImageData*, vtkImageData* voxels)
 {
   const glm::dvec3 middle = PointOf(measure, 0);
   const double areaMm2 = glm::pi<double>() *
     glm::length(glm::cross(PointOf(measure, 1) - middle, PointOf(measure, 2) - middle));
-  return { {}, {}, areaMm2, {}, StatisticsOfFlatRegion(PointsOnEllipse(measure), image) };
+  return { {}, {}, areaMm2, {}, StatisticsOfFlatRegion(PointsOnEllipse(measure), voxels) };
 }
 
 MeasureLines LineOfOutline(const Measure& measure, vtkImageData*)
@@ -143,10 +144,10 @@ MeasureLines LineOfOutline(const Measure& measure, vtkImageData*)
   return Closed(PointsOf(measure));
 }
 
-MeasureValues ValuesOfOutline(const Measure& measure, vtkImageData* image)
+MeasureValues ValuesOfOutline(const Measure& measure, vtkImageData*, vtkImageData* voxels)
 {
   const std::vector<glm::dvec3> outline = PointsOf(measure);
-  return { {}, {}, glm::length(AreaVector(outline)), {}, StatisticsOfFlatRegion(outline, image) };
+  return { {}, {}, glm::length(AreaVector(outline)), {}, StatisticsOfFlatRegion(outline, voxels) };
 }
 
 MeasureLines LineOfCurve(const Measure& measure, vtkImageData*)
@@ -154,7 +155,7 @@ MeasureLines LineOfCurve(const Measure& measure, vtkImageData*)
   return { CurvePath(measure.pointsMm).Points() };
 }
 
-MeasureValues LengthOfCurve(const Measure& measure, vtkImageData*)
+MeasureValues LengthOfCurve(const Measure& measure, vtkImageData*, vtkImageData*)
 {
   return { CurvePath(measure.pointsMm).LengthMm() };
 }
@@ -203,7 +204,15 @@ MeasureLines LinesOf(const Measure& measure, vtkImageData* image)
 MeasureValues ValuesOf(const Measure& measure, vtkImageData* image)
 {
   const auto valuesOf = TraitsOf(measure.kind).valuesOf;
-  return valuesOf ? valuesOf(measure, image) : MeasureValues();
+  return valuesOf ? valuesOf(measure, image, image) : MeasureValues();
+}
+
+std::optional<RegionStatistics> StatisticsOver(
+  const Measure& measure, vtkImageData* image, vtkImageData* over)
+{
+  // Lengths and angles take no voxels.
+  const auto valuesOf = TraitsOf(measure.kind).valuesOf;
+  return valuesOf ? valuesOf(measure, image, over).statistics : std::nullopt;
 }
 
 std::vector<glm::dvec3> PointsOf(const Measure& measure)

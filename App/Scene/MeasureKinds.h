@@ -57,8 +57,10 @@ struct MeasureTraits
   bool isFlat;    ///< true: it lies in a slice, so that it is drawn in slices only
   bool hasWords;  ///< true: its name is what it says
   int labelPoint; ///< number of the point that the label lies beside; -1: the middle of all
-  MeasureLines (*linesOf)(const Measure&, vtkImageData*);   ///< null: no lines
-  MeasureValues (*valuesOf)(const Measure&, vtkImageData*); ///< null: no values
+  MeasureLines (*linesOf)(const Measure&, vtkImageData*); ///< null: no lines
+  /// Values in the voxels of the second volume, which may be the first, the one that is measured;
+  /// null: no values.
+  MeasureValues (*valuesOf)(const Measure&, vtkImageData*, vtkImageData*);
 };
 
 /// All kinds, in the order of MeasureKind.
@@ -70,6 +72,11 @@ const MeasureTraits& TraitsOf(MeasureKind kind);
 MeasureLines LinesOf(const Measure& measure, vtkImageData* image);
 
 MeasureValues ValuesOf(const Measure& measure, vtkImageData* image);
+
+/// The statistics of a volume over the one that was measured; empty for kinds without statistics.
+/// @param over  at its place
+std::optional<RegionStatistics> StatisticsOver(
+  const Measure& measure, vtkImageData* image, vtkImageData* over);
 
 std::vector<glm::dvec3> PointsOf(const Measure& measure);
 

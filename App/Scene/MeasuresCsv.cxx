@@ -37,7 +37,7 @@ void WriteStatistics(
        << ',' << unit;
 }
 
-void WritePoints(std::ostream& line, const Measure& measure)
+void WritePoints(std::ostream& line, const Measure& measure, int volume)
 {
   line << ",\"";
   const char* separator = "";
@@ -46,29 +46,44 @@ void WritePoints(std::ostream& line, const Measure& measure)
     line << separator << x << ' ' << y << ' ' << z;
     separator = "; ";
   }
-  line << "\"\n";
+  line << "\"," << volume << '\n';
+}
+
+void WriteLine(std::ostream& text, int number, const Measure& measure, const MeasureValues& values,
+  const PlacedVolume& of)
+{
+  text << number << ',' << TraitsOf(measure.kind).name << ',' << QuotedForCsv(measure.name);
+  WriteNumber(text, values.lengthMm);
+  WriteNumber(text, values.degrees);
+  WriteNumber(text, values.areaMm2);
+  WriteNumber(text, values.volumeMm3);
+  WriteStatistics(text, values.statistics, UnitOf(of.volume));
+  WritePoints(text, measure, of.number);
 }
 
 }
 
-std::string CsvOf(const std::vector<Measure>& measures, const LoadedVolume& volume)
+std::string CsvOf(const std::vector<Measure>& measures, const LoadedVolume& volume,
+  const std::vector<PlacedVolume>& over)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<float>::max_digits10);
   text << "number,kind,name,length_mm,angle_degrees,area_mm2,volume_mm3,voxels,mean,"
-          "standard_deviation,smallest,largest,unit,points_mm\n";
+          "standard_deviation,smallest,largest,unit,points_mm,volume\n";
   int number = 0;
   for (const Measure& measure : measures)
   {
-    const MeasureValues values = InUnits(ValuesOf(measure, volume.image), volume);
-    text << ++number << ',' << TraitsOf(measure.kind).name << ',' << QuotedForCsv(measure.name);
-    WriteNumber(text, values.lengthMm);
-    WriteNumber(text, values.degrees);
-    WriteNumber(text, values.areaMm2);
-    WriteNumber(text, values.volumeMm3);
-    WriteStatistics(text, values.statistics, UnitOf(volume));
-    WritePoints(text, measure);
+    const MeasureValues values = ValuesOf(measure, volume.image);
+    WriteLine(text, ++number, measure, InUnits(values, volume), { 1, volume, volume.image });
+    for (const PlacedVolume& other : over)
+    {
+      if (const auto statistics = StatisticsOver(measure, volume.image, other.image))
+      {
+        WriteLine(text, number, measure,
+          { {}, {}, values.areaMm2, values.volumeMm3, InUnits(*statistics, other.volume) }, other);
+      }
+    }
   }
   return text.str();
 }

@@ -11,6 +11,16 @@
 namespace varimarch
 {
 
+struct LoadedVolume;
+
+/// A volume over the first one.
+struct PlacedVolume
+{
+  int number; ///< 2 for the first overlay, as the window counts volumes
+  const LoadedVolume& volume;
+  vtkSmartPointer<vtkImageData> image; ///< at its place
+};
+
 /// The rigid motion of a placement: where a point of the volume's patient coordinates is put. World
 /// space, LPS.
 glm::dmat4 WorldFromPatient(const Placement& placement, vtkImageData* image);

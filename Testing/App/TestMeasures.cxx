@@ -32,6 +32,12 @@ vtkSmartPointer<vtkImageData> Ramp(int type, double offset)
   return image;
 }
 
+RegionStatistics StatisticsIn(
+  const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm, vtkImageData* image)
+{
+  return StatisticsOfBox(fromMm, toMm, image, image);
+}
+
 double Degrees(MeasureKind kind, const std::vector<std::array<double, 3>>& points)
 {
   return *ValuesOf({ kind, points }, nullptr).degrees;
@@ -195,10 +201,26 @@ TEST(MeasureTable, HasALinePerMeasurementWithItsUnits)
     volume);
   EXPECT_EQ(table,
     "number,kind,name,length_mm,angle_degrees,area_mm2,volume_mm3,voxels,mean,standard_deviation,"
-    "smallest,largest,unit,points_mm\n"
-    "1,distance,\"a \"\"b\"\", c\",5,,,,,,,,,,\"0 0 0; 3 4 0\"\n"
-    "2,box,\"\",,,,144,24,1.75,0.559016994,1,2.5,SUV,\"2 2 3; 5 6 6\"\n"
-    "3,text,\"\",,,,,,,,,,,\"1 2 3\"\n");
+    "smallest,largest,unit,points_mm,volume\n"
+    "1,distance,\"a \"\"b\"\", c\",5,,,,,,,,,,\"0 0 0; 3 4 0\",1\n"
+    "2,box,\"\",,,,144,24,1.75,0.559016994,1,2.5,SUV,\"2 2 3; 5 6 6\",1\n"
+    "3,text,\"\",,,,,,,,,,,\"1 2 3\",1\n");
+}
+
+TEST(MeasureTable, HasALineForEachVolumeOverTheFirst)
+{
+  LoadedVolume volume;
+  volume.image = Ramp(VTK_SHORT, 0.0);
+  LoadedVolume pet = volume;
+  pet.image = Ramp(VTK_SHORT, 100.0);
+  pet.uptakeValueFactor = 0.5;
+  const std::string table = CsvOf({ { MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } },
+                                    { MeasureKind::Box, { { 2, 2, 3 }, { 5, 6, 6 } } } },
+    volume, { { 2, pet, pet.image } });
+  EXPECT_EQ(table.substr(table.find('\n') + 1),
+    "1,distance,\"\",5,,,,,,,,,,\"0 0 0; 3 4 0\",1\n"
+    "2,box,\"\",,,,144,24,3.5,1.11803399,2,5,,\"2 2 3; 5 6 6\",1\n"
+    "2,box,\"\",,,,144,24,51.75,0.559016994,51,52.5,SUV,\"2 2 3; 5 6 6\",2\n");
 }
 
 TEST(RegionStatistics, CountTheVoxelsInTheBox)
@@ -206,7 +228,7 @@ TEST(RegionStatistics, CountTheVoxelsInTheBox)
   // The box holds voxels 2 to 5 along x, 1 to 3 along y, and 1 to 2 along z, in any order of its
   // corners.
   const RegionStatistics found =
-    StatisticsOfBox({ 5.4, 1.5, 7.0 }, { 1.6, 6.2, 2.9 }, Ramp(VTK_SHORT, 0.0));
+    StatisticsIn({ 5.4, 1.5, 7.0 }, { 1.6, 6.2, 2.9 }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 4 * 3 * 2);
   EXPECT_DOUBLE_EQ(found.volumeMm3, 24 * 6.0);
   EXPECT_DOUBLE_EQ(found.mean, 3.5);
@@ -218,7 +240,7 @@ TEST(RegionStatistics, CountTheVoxelsInTheBox)
 TEST(RegionStatistics, KeepTheirDigitsWithLargeValues)
 {
   const RegionStatistics found =
-    StatisticsOfBox({ -1, -1, -1 }, { 100, 100, 100 }, Ramp(VTK_DOUBLE, 1e9));
+    StatisticsIn({ -1, -1, -1 }, { 100, 100, 100 }, Ramp(VTK_DOUBLE, 1e9));
   EXPECT_EQ(found.voxels, 1000);
   EXPECT_NEAR(found.mean, 1e9 + 4.5, 1e-6);
   EXPECT_NEAR(found.standardDeviation, std::sqrt(8.25), 1e-6);
@@ -228,18 +250,62 @@ TEST(RegionStatistics, LeaveOutValuesThatAreNotFinite)
 {
   const auto image = Ramp(VTK_FLOAT, 0.0);
   image->SetScalarComponentFromDouble(0, 0, 0, 0, std::numeric_limits<double>::quiet_NaN());
-  const RegionStatistics found = StatisticsOfBox({ 0, 0, 0 }, { 2, 0, 0 }, image);
+  const RegionStatistics found = StatisticsIn({ 0, 0, 0 }, { 2, 0, 0 }, image);
   EXPECT_EQ(found.voxels, 2);
   EXPECT_DOUBLE_EQ(found.mean, 1.5);
 }
 
 TEST(RegionStatistics, CountTheVoxelsThatAThinBoxPassesThrough)
 {
-  const RegionStatistics found =
-    StatisticsOfBox({ 0, 0, 7.2 }, { 9, 18, 7.4 }, Ramp(VTK_SHORT, 0.0));
+  const RegionStatistics found = StatisticsIn({ 0, 0, 7.2 }, { 9, 18, 7.4 }, Ramp(VTK_SHORT, 0.0));
   EXPECT_EQ(found.voxels, 100);
-  EXPECT_EQ(StatisticsOfBox({ 50, 50, 50 }, { 60, 60, 60 }, Ramp(VTK_SHORT, 0.0)).voxels, 0)
+  EXPECT_EQ(StatisticsIn({ 0, 0, 6 }, { 9, 18, 9 - 1e-12 }, Ramp(VTK_SHORT, 0.0)).voxels, 200)
+    << "a box from layer to layer, but for rounding, has both";
+  EXPECT_EQ(StatisticsIn({ 50, 50, 50 }, { 60, 60, 60 }, Ramp(VTK_SHORT, 0.0)).voxels, 0)
     << "beside the volume";
+}
+
+// The volume over the first is turned by 30 degrees about z, and has voxels of another size.
+TEST(RegionStatistics, CountTheVoxelsOfAVolumeOverTheBox)
+{
+  const auto grid = Ramp(VTK_SHORT, 0.0);
+  const auto over = vtkSmartPointer<vtkImageData>::New();
+  over->SetDimensions(24, 24, 12);
+  over->SetSpacing(0.7, 0.9, 1.7);
+  over->SetOrigin(3.0, -4.0, 1.0);
+  const double c = std::cos(0.5236);
+  const double s = std::sin(0.5236);
+  over->SetDirectionMatrix(c, -s, 0, s, c, 0, 0, 0, 1);
+  over->AllocateScalars(VTK_INT, 1);
+  for (vtkIdType i = 0; i < over->GetNumberOfPoints(); ++i)
+  {
+    static_cast<int*>(over->GetScalarPointer())[i] = int(i);
+  }
+  const auto expectAsByHand =
+    [&](const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm)
+  {
+    std::int64_t count = 0;
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < over->GetNumberOfPoints(); ++i)
+    {
+      double point[3];
+      over->GetPoint(i, point);
+      bool isInside = true;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        isInside = isInside && point[axis] >= fromMm[axis] && point[axis] <= toMm[axis];
+      }
+      count += isInside;
+      sum += isInside ? double(i) : 0.0;
+    }
+    const RegionStatistics found = StatisticsOfBox(fromMm, toMm, grid, over);
+    EXPECT_EQ(found.voxels, count);
+    EXPECT_NEAR(found.mean, sum / double(count), 1e-9);
+    EXPECT_GT(count, 10);
+  };
+  expectAsByHand({ 1.0, 1.0, 3.0 }, { 5.3, 8.2, 12.1 });
+  expectAsByHand({ -50.0, 2.0, -50.0 }, { 50.0, 5.0, 50.0 });
+  EXPECT_EQ(StatisticsOfBox({ 70, 70, 70 }, { 80, 80, 80 }, grid, over).voxels, 0);
 }
 
 }

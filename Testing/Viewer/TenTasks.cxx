@@ -95,7 +95,7 @@ public:
     SliceView* const slice = this->SliceAt(SlicePlane::Axial, TaskScans::Nodule());
     const QPoint there = PlaceOf(*slice, TaskScans::Nodule());
     this->hand.Drag(slice, there - QPoint(12, 12), there + QPoint(12, 12));
-    Await([&] { return this->Model()->CurrentScene().measures.size() == 1; },
+    Await([&] { return this->Model()->Texts().values.join("").contains(" SUV"); },
       "the uptake is not measured");
     this->Finish("pet", "PET hot spot with SUV");
   }

@@ -191,7 +191,7 @@ TEST_F(Speaking, WritesNumbersAsTheLanguageDoesAndFilesAsInC)
   SlabBar bar(&model);
   model.Edit(ScenePart::Slices, "slab", [](Scene& scene) { scene.slices.slabMm = 12.5; });
   EXPECT_EQ(bar.findChild<QDoubleSpinBox*>()->text(), "12,5 mm");
-  const MeasureTexts texts(model.CurrentScene(), model.CurrentStudy()->volume);
+  const MeasureTexts texts(model.CurrentScene(), *model.CurrentStudy());
   EXPECT_EQ(texts.values[0], "1.234,5 mm");
   EXPECT_NE(SceneText(model.CurrentScene()).find("1234.5"), std::string::npos);
 }

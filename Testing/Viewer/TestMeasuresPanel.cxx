@@ -69,7 +69,7 @@ TEST_F(Measures, AreListedWithTheirValues)
 TEST_F(Measures, HaveShorterTextsForBoxesInImages)
 {
   const Study& study = *this->model.CurrentStudy();
-  const MeasureTexts texts(this->model.CurrentScene(), study.volume);
+  const MeasureTexts texts(this->model.CurrentScene(), study);
   const QStringList lines = texts.labels.at(2).split('\n');
   ASSERT_EQ(lines.size(), 2);
   EXPECT_TRUE(texts.values.at(2).startsWith(lines[0] + ", from ")) << lines[0].toStdString();
@@ -80,12 +80,12 @@ TEST_F(Measures, HaveShorterTextsForBoxesInImages)
 
 TEST_F(Measures, GiveTheUnitOfABoxAndSayThatItIsAMean)
 {
-  LoadedVolume volume = this->model.CurrentStudy()->volume;
-  const QString ofCt = MeasureTexts(this->model.CurrentScene(), volume).labels.at(2);
+  Study study = *this->model.CurrentStudy();
+  const QString ofCt = MeasureTexts(this->model.CurrentScene(), study).labels.at(2);
   EXPECT_TRUE(ofCt.startsWith("mean ")) << ofCt.toStdString();
   EXPECT_TRUE(ofCt.section('\n', 0, 0).endsWith(" HU")) << ofCt.toStdString();
-  volume.modality = "MR";
-  EXPECT_FALSE(MeasureTexts(this->model.CurrentScene(), volume).labels.at(2).contains("HU"));
+  study.volume.modality = "MR";
+  EXPECT_FALSE(MeasureTexts(this->model.CurrentScene(), study).labels.at(2).contains("HU"));
 }
 
 TEST_F(Measures, KeepTheirValuesWhileOthersAreEdited)
@@ -127,14 +127,14 @@ TEST_F(Measures, HaveLabelsThatDoNotOverlap)
     Scene scene;
     scene.measures.assign(
       std::size_t(count), { MeasureKind::Distance, { { 0, 0, 0 }, { 10, 0, 0 } }, "aorta" });
-    const LoadedVolume& volume = this->model.CurrentStudy()->volume;
+    const Study& study = *this->model.CurrentStudy();
     vtkNew<vtkCamera> camera;
     camera->SetPosition(0.0, -500.0, 0.0);
     camera->SetViewUp(0.0, 0.0, 1.0);
     QImage image(400, 300, QImage::Format_RGB32);
     image.fill(Qt::black);
     QPainter painter(&image);
-    DrawMeasures(painter, { scene, MeasureTexts(scene, volume), volume.image },
+    DrawMeasures(painter, { scene, MeasureTexts(scene, study), study.volume.image },
       FrameOf(camera, image.size()),
       { [](const auto&) { return true; }, [](const auto&) { return false; } });
     painter.end();

@@ -6,6 +6,7 @@
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/FusionBar.h"
 #include "Viewer/Panels/LookPanel.h"
+#include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/NumberSlider.h"
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/PictureExport.h"
@@ -18,6 +19,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableWidget>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -218,8 +220,41 @@ TEST_F(VolumeList, MeasuresOfAPetAreUptakes)
   scene.measures = { { MeasureKind::Box,
     { { middle[0] - 9.0, middle[1] - 9.0, middle[2] - 9.0 },
       { middle[0] + 9.0, middle[1] + 9.0, middle[2] + 9.0 } } } };
-  const QString text = MeasureTexts(scene, pet->volume).values.first();
+  const QString text = MeasureTexts(scene, *pet).values.first();
   EXPECT_TRUE(text.startsWith("mean 2 ± 0 SUV, from 2 to 2 SUV")) << text.toStdString();
+}
+
+TEST_F(VolumeList, ABoxMeasuresAllThatAreShown)
+{
+  const double* const middle = this->model.CurrentStudy()->volume.image->GetCenter();
+  this->model.Edit(ScenePart::Measures, "box",
+    [&](Scene& scene)
+    {
+      scene.measures = { { MeasureKind::Box,
+                           { { middle[0] - 9.0, middle[1] - 9.0, middle[2] - 9.0 },
+                             { middle[0] + 9.0, middle[1] + 9.0, middle[2] + 9.0 } } },
+        { MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } } };
+    });
+  const MeasureTexts& texts = this->model.Texts();
+  const QStringList lines = texts.values[0].split('\n');
+  ASSERT_EQ(lines.size(), 3);
+  EXPECT_TRUE(lines[0].endsWith(" HU")) << lines[0].toStdString();
+  EXPECT_EQ(lines[2], QString::fromUtf8("Volume 2 (PT): mean 2 ± 0 SUV, from 2 to 2 SUV"));
+  EXPECT_EQ(texts.labels[0].section('\n', 2), QString::fromUtf8("Volume 2 (PT): mean 2 ± 0 SUV"));
+  EXPECT_EQ(texts.values[1], "5.0 mm");
+  const MeasuresPanel measures(&this->model);
+  const auto* const table = measures.findChild<QTableWidget*>();
+  this->model.Edit(ScenePart::Overlays, "move",
+    [](Scene& scene) {
+      scene.overlays[0].placement.moveMm = { 500.0, 0.0, 0.0 };
+    });
+  EXPECT_FALSE(this->model.Texts().values[0].contains("SUV")) << "it is elsewhere now";
+  this->model.History()->undo();
+  EXPECT_TRUE(this->model.Texts().values[0].contains("SUV"));
+  this->model.Edit(ScenePart::Measures, "measure", [](Scene& scene) { scene.measures.pop_back(); });
+  EXPECT_TRUE(table->item(0, 1)->text().contains("SUV"));
+  this->List()->item(1)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(table->item(0, 1)->text().contains("SUV")) << "it is hidden";
 }
 
 TEST_F(VolumeList, SlicesBlendThemOrAlternate)

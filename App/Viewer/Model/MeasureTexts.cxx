@@ -1,7 +1,6 @@
 #include "Viewer/Model/MeasureTexts.h"
 
 #include "Scene/MeasureUnits.h"
-#include "Scene/Placing.h"
 #include "Scene/ScenePicking.h"
 #include "Scene/SceneVolumes.h"
 #include "Scene/VolumeLoading.h"
@@ -88,6 +87,30 @@ MeasureText TextsOf(const MeasureValues& values, const QString& unit)
   return { text, text };
 }
 
+QString TitleOfOverlay(const PlacedVolume& overlay)
+{
+  const QString title = MeasureTexts::tr("Volume %1").arg(overlay.number);
+  const std::string& modality = overlay.volume.modality;
+  return modality.empty() ? title : title + " (" + QString::fromStdString(modality) + ')';
+}
+
+// Adds a line for each volume over the first one with voxels in the region.
+void AddOverlays(const Measure& measure, vtkImageData* image, const std::vector<PlacedVolume>& over,
+  MeasureText& texts)
+{
+  for (const PlacedVolume& overlay : over)
+  {
+    const auto found = StatisticsOver(measure, image, overlay.image);
+    if (found && found->voxels > 0)
+    {
+      const RegionStatistics statistics = InUnits(*found, overlay.volume);
+      const QString begin = '\n' + TitleOfOverlay(overlay) + ": ";
+      texts.value += begin + RangeText(statistics, UnitText(overlay.volume));
+      texts.label += begin + MeanText(statistics, UnitText(overlay.volume));
+    }
+  }
+}
+
 // The value at a point: "HU 40", "SUV 2.35 (5868)" or "value 7".
 QString ValueText(const LoadedVolume& volume, double value)
 {
@@ -121,14 +144,13 @@ QString SegmentText(
 QString OverlayTexts(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm)
 {
   QString texts;
-  for (std::size_t i = 0; i < scene.overlays.size(); ++i)
+  for (const PlacedVolume& overlay : VisibleOverlays(scene, study))
   {
-    const LoadedVolume& volume = study.overlays[i]->volume;
-    const auto value = ValueAt(Placed(volume.image, scene.overlays[i].placement), pointMm);
-    if (value && scene.overlays[i].visible)
+    const int volume = overlay.number - 1;
+    if (const auto value = ValueAt(overlay.image, pointMm))
     {
-      texts += "; " + QString::fromStdString(scene.overlays[i].name) + ": " +
-        ValueText(volume, *value) + SegmentText(scene, study, int(i) + 1, pointMm);
+      texts += "; " + QString::fromStdString(scene.overlays[std::size_t(volume) - 1].name) + ": " +
+        ValueText(overlay.volume, *value) + SegmentText(scene, study, volume, pointMm);
     }
   }
   return texts;
@@ -136,22 +158,30 @@ QString OverlayTexts(const Scene& scene, const Study& study, const std::array<do
 
 }
 
-MeasureTexts::MeasureTexts(
-  const Scene& scene, const LoadedVolume& volume, const MeasureTexts& earlier)
-  : image(volume.image)
+MeasureTexts::MeasureTexts(const Scene& scene, const Study& study, const MeasureTexts& earlier)
 {
+  const LoadedVolume& volume = study.volume;
+  const std::vector<PlacedVolume> over = VisibleOverlays(scene, study);
+  this->volumes.push_back({ 1, volume.image, {} });
+  for (const PlacedVolume& other : over)
+  {
+    this->volumes.push_back(
+      { other.number, other.volume.image, PlacementOf(scene, other.number - 1) });
+  }
+  const bool areSameVolumes = earlier.volumes == this->volumes;
   for (const Measure& measure : scene.measures)
   {
     const std::size_t number = this->known.size();
-    if (earlier.AreKnown(number, measure, volume.image))
+    if (areSameVolumes && earlier.AreKnown(number, measure))
     {
       this->known.push_back(earlier.known[number]);
     }
     else
     {
-      const auto [value, label] =
+      MeasureText texts =
         TextsOf(InUnits(ValuesOf(measure, volume.image), volume), UnitText(volume));
-      this->known.push_back({ measure.kind, measure.pointsMm, value, label });
+      AddOverlays(measure, volume.image, over, texts);
+      this->known.push_back({ measure.kind, measure.pointsMm, texts.value, texts.label });
     }
     const ValueTexts& texts = this->known.back();
     const QString name = QString::fromStdString(measure.name);
@@ -161,10 +191,24 @@ MeasureTexts::MeasureTexts(
   }
 }
 
-bool MeasureTexts::AreKnown(std::size_t number, const Measure& measure, vtkImageData* ofImage) const
+bool MeasureTexts::AreKnown(std::size_t number, const Measure& measure) const
 {
-  return this->image == ofImage && number < this->known.size() &&
-    this->known[number].kind == measure.kind && this->known[number].pointsMm == measure.pointsMm;
+  return number < this->known.size() && this->known[number].kind == measure.kind &&
+    this->known[number].pointsMm == measure.pointsMm;
+}
+
+std::vector<PlacedVolume> VisibleOverlays(const Scene& scene, const Study& study)
+{
+  std::vector<PlacedVolume> visible;
+  for (std::size_t i = 0; i < scene.overlays.size(); ++i)
+  {
+    if (scene.overlays[i].visible)
+    {
+      const LoadedVolume& volume = study.overlays[i]->volume;
+      visible.push_back({ int(i) + 2, volume, Placed(volume.image, scene.overlays[i].placement) });
+    }
+  }
+  return visible;
 }
 
 QString TitleOf(MeasureKind kind)

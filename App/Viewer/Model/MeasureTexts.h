@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_MeasureTexts_h
 #define Varimarch_Viewer_MeasureTexts_h
 
-#include "Scene/Scene.h"
+#include "Scene/Placing.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -28,13 +28,15 @@ class MeasureTexts
 public:
   MeasureTexts() = default;
 
-  /// @param earlier  texts whose values are kept where volume and measurement are the same, since
+  /// @param earlier  texts whose values are kept where volumes and measurement are the same, since
   /// statistics read many voxels
   MeasureTexts(
-    const Scene& scene, const LoadedVolume& volume, const MeasureTexts& earlier = MeasureTexts());
+    const Scene& scene, const Study& study, const MeasureTexts& earlier = MeasureTexts());
 
   /// "12.3 mm", "45.0°", the words of annotations, or two lines: "mean 312 ± 45 HU, from 10 to
-  /// 420 HU", "1.23 ml, 1482 voxels".
+  /// 420 HU", "1.23 ml, 1482 voxels". A line follows for each visible volume over the first one
+  /// with voxels there: "Volume 2 (PT): mean 2.1 ± 0.3 SUV, from 1.2 to 3.4 SUV". Names of volumes
+  /// are left out, since texts are in exported images, and names may be those of patients.
   QStringList values;
   /// For images: "aorta: 12.3 mm", without extremes and counts. They may be empty.
   QStringList labels;
@@ -49,11 +51,28 @@ private:
     QString label;
   };
 
-  bool AreKnown(std::size_t number, const Measure& measure, vtkImageData* ofImage) const;
+  /// A volume that was measured.
+  struct Measured
+  {
+    int number;
+    vtkSmartPointer<vtkImageData> image;
+    Placement placement;
 
-  vtkSmartPointer<vtkImageData> image;
+    bool operator==(const Measured& other) const
+    {
+      return this->number == other.number && this->image == other.image &&
+        this->placement == other.placement;
+    }
+  };
+
+  bool AreKnown(std::size_t number, const Measure& measure) const;
+
+  std::vector<Measured> volumes;
   std::vector<ValueTexts> known;
 };
+
+/// The visible volumes over the first one. The study must outlive them.
+std::vector<PlacedVolume> VisibleOverlays(const Scene& scene, const Study& study);
 
 /// The name of a kind of measurement: "Distance".
 QString TitleOf(MeasureKind kind);

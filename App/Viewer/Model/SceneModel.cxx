@@ -101,7 +101,7 @@ SceneModel::SceneModel(QObject* parent)
 
 const MeasureTexts& SceneModel::Texts()
 {
-  this->texts = MeasureTexts(this->state.scene, this->state.study->volume, this->texts);
+  this->texts = MeasureTexts(this->state.scene, *this->state.study, this->texts);
   return this->texts;
 }
 

@@ -74,7 +74,7 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
 void MeasuresPanel::Show(ScenePart part)
 {
   const Scene& scene = this->model->CurrentScene();
-  if (part == ScenePart::Voxels)
+  if (part == ScenePart::Voxels || part == ScenePart::Overlays)
   {
     this->ShowValues();
   }
@@ -196,8 +196,10 @@ void MeasuresPanel::Save()
     }
     else
     {
-      WriteFileWhole(path.toStdString(),
-        CsvOf(this->model->CurrentScene().measures, this->model->CurrentStudy()->volume));
+      const Scene& scene = this->model->CurrentScene();
+      const auto study = this->model->CurrentStudy();
+      WriteFileWhole(
+        path.toStdString(), CsvOf(scene.measures, study->volume, VisibleOverlays(scene, *study)));
     }
     emit this->Saved(path);
   }

@@ -117,7 +117,7 @@ Scene WithoutNames(Scene scene)
 
 QString MeasureRows(const Scene& scene, const Study& study)
 {
-  const MeasureTexts texts(scene, study.volume);
+  const MeasureTexts texts(scene, study);
   QString rows;
   for (int i = 0; i < texts.values.size(); ++i)
   {

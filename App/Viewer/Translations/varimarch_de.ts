@@ -199,6 +199,10 @@
 <context>
     <name>MeasureTexts</name>
     <message>
+        <source>Volume %1</source>
+        <translation>Volumen %1</translation>
+    </message>
+    <message>
         <source>no voxels</source>
         <translation>keine Voxel</translation>
     </message>

@@ -165,7 +165,7 @@ QImage PictureMaker::Draw(const std::function<bool(double)>& onProgress)
   if (this->options.overlay)
   {
     DrawOverlay(painter,
-      { this->scene, MeasureTexts(this->scene, this->study.volume), this->study.volume.image },
+      { this->scene, MeasureTexts(this->scene, this->study), this->study.volume.image },
       FrameOf(this->view->Pipeline().Renderer()->GetActiveCamera(), size),
       this->view->Pipeline().Mask());
   }

@@ -52,13 +52,13 @@ void SliceView::Update(ScenePart part)
     this->zoom = {};
     this->measure.Forget();
   }
-  if (part == ScenePart::Volume || part == ScenePart::Voxels || part == ScenePart::Measures)
+  if (part == ScenePart::Volume || part == ScenePart::Voxels || part == ScenePart::Measures ||
+    part == ScenePart::Overlays)
   {
     this->texts = this->model->Texts();
     this->update();
   }
-  if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments ||
-    part == ScenePart::Overlays)
+  if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments)
   {
     this->update();
   }

@@ -221,7 +221,7 @@ bool VolumeView::Takes(ScenePart part)
   {
     return false;
   }
-  if (part == ScenePart::Voxels)
+  if (part == ScenePart::Voxels || part == ScenePart::Overlays)
   {
     this->TakeMeasures();
   }
