@@ -98,7 +98,7 @@ void MainWindow::Listen()
   connect(&this->model, &SceneModel::Changed, this,
     [this](ScenePart part)
     {
-      if (part == ScenePart::Volume || part == ScenePart::Labels)
+      if (part == ScenePart::Volume || part == ScenePart::Labels || part == ScenePart::Overlays)
       {
         this->ShowWarnings(part == ScenePart::Volume);
       }

@@ -124,7 +124,7 @@ void MainWindow::ShowWarnings(bool isNewVolume)
   const QString remedy = slices == SliceLayout::Irregular ? tr("Rectify")
     : slices == SliceLayout::Rectified                    ? tr("Show as scanned")
                                                           : QString();
-  const QStringList texts = WarningBar::TextsOf(study);
+  const QStringList texts = WarningBar::TextsOf(this->model.CurrentScene(), study);
   if (isNewVolume || texts != this->warnings->Texts())
   {
     this->warnings->Show(texts, remedy);

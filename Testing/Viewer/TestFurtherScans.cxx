@@ -250,8 +250,25 @@ TEST_F(FurtherScans, SayThatTheirSegmentsCannotBeRead)
   this->window.Open(this->Path("session.json"));
   ASSERT_TRUE(this->AwaitOverlays(1));
   EXPECT_FALSE(this->Model()->CurrentScene().overlays[0].labels);
-  const QStringList warnings = WarningBar::TextsOf(*this->Model()->CurrentStudy());
+  const QStringList warnings =
+    WarningBar::TextsOf(this->Model()->CurrentScene(), *this->Model()->CurrentStudy());
   EXPECT_EQ(warnings.filter("missing.seg.nrrd").size(), 1) << warnings.join('\n').toStdString();
+}
+
+TEST_F(FurtherScans, ShowTheirWarningsWithTheirNames)
+{
+  this->OpenTorso();
+  Study pet = *PetOver(this->Model()->CurrentStudy()->volume.image);
+  pet.volume.warnings = { "2 slices are missing." };
+  OverlaidVolume overlay =
+    OverlayOf(FileSource{ "/scans/pet", std::nullopt }, pet.volume, pet.statistics);
+  overlay.name = "uptake";
+  this->Model()->AddOverlay(overlay, std::make_shared<const Study>(pet), "add");
+  const auto* const bar = this->window.findChild<WarningBar*>();
+  EXPECT_TRUE(bar->isVisible());
+  EXPECT_EQ(bar->Texts(), QStringList("uptake: 2 slices are missing."));
+  this->Model()->RemoveOverlay(0, "remove");
+  EXPECT_FALSE(bar->isVisible());
 }
 
 // The labels of the torso lie within the PET too, but have the voxels of the torso.

@@ -76,13 +76,7 @@ std::shared_ptr<const Study> WithOverlays(const std::shared_ptr<const Study>& fi
     study.overlays.emplace_back();
     try
     {
-      const auto added = OverlayStudy(overlay, observe);
-      study.overlays.back() = added;
-      if (overlay.labels && !added->labels)
-      {
-        // Only the warnings of the first volume are shown, and those of labels.
-        study.volume.warnings.push_back(added->volume.warnings.back());
-      }
+      study.overlays.back() = OverlayStudy(overlay, observe);
     }
     catch (const std::runtime_error& reason)
     {

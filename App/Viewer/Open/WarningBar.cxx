@@ -1,5 +1,6 @@
 #include "Viewer/Open/WarningBar.h"
 
+#include "Scene/SceneVolumes.h"
 #include "Viewer/Model/Study.h"
 
 #include <QHBoxLayout>
@@ -42,20 +43,23 @@ WarningBar::WarningBar(QWidget* parent)
   this->hide();
 }
 
-QStringList WarningBar::TextsOf(const Study& study)
+QStringList WarningBar::TextsOf(const Scene& scene, const Study& study)
 {
-  std::vector<std::string> warnings = study.volume.warnings;
-  for (int volume = 0; volume <= int(study.overlays.size()); ++volume)
-  {
-    if (const auto& labels = StudyOfVolume(study, volume).labels)
-    {
-      warnings.insert(warnings.end(), labels->warnings.begin(), labels->warnings.end());
-    }
-  }
   QStringList texts;
-  for (const std::string& warning : warnings)
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
-    texts.append(QString::fromStdString(warning));
+    const Study& one = StudyOfVolume(study, volume);
+    const std::string name = volume == 0 ? std::string() : scene.overlays[volume - 1].name;
+    const QString begin = name.empty() ? QString() : QString::fromStdString(name) + ": ";
+    std::vector<std::string> warnings = one.volume.warnings;
+    if (one.labels)
+    {
+      warnings.insert(warnings.end(), one.labels->warnings.begin(), one.labels->warnings.end());
+    }
+    for (const std::string& warning : warnings)
+    {
+      texts.append(begin + QString::fromStdString(warning));
+    }
   }
   return texts;
 }

@@ -10,6 +10,7 @@ class QPushButton;
 namespace varimarch
 {
 
+struct Scene;
 struct Study;
 
 /// A bar above the views with warnings about the current volume. It stays until the user closes it
@@ -21,8 +22,9 @@ class WarningBar : public QFrame
 public:
   explicit WarningBar(QWidget* parent = nullptr);
 
-  /// The warnings of a volume, and those of all labels.
-  static QStringList TextsOf(const Study& study);
+  /// The warnings of all volumes and their labels. Those of a volume over the first one begin with
+  /// its name.
+  static QStringList TextsOf(const Scene& scene, const Study& study);
 
   /// Shows warnings; hides the bar if there are none.
   /// @param remedy  label of a button beside them; empty: no button
