@@ -197,6 +197,7 @@ struct KeyImage
   std::string name = {}; ///< may be empty
   SliceSettings slices;  ///< as they were
   Camera camera;
+  std::optional<int> time = {}; ///< time of the first volume, from 0; empty if it has only one
 };
 
 /// Far more than a report is read with.

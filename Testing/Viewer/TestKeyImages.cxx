@@ -1,5 +1,7 @@
 // Views that are marked for the report.
 
+#include "Module/PhantomFiles.h"
+#include "ScanOfTimes.h"
 #include "Scene/SceneFile.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/KeyImagesBox.h"
@@ -97,6 +99,77 @@ TEST_F(KeyImages, AreInTheReport)
   const qint64 withImage = this->ReportBytes();
   this->Press("Remove");
   EXPECT_LT(this->ReportBytes(), withImage - 2000) << "the image itself";
+}
+
+namespace
+{
+
+// Key images of a scan with several times.
+class KeyImagesOfTimes : public KeyImages
+{
+protected:
+  KeyImagesOfTimes()
+  {
+    this->files.Write("times.nrrd", NrrdOfTimes());
+    const FileSource source = { this->files.Path("times.nrrd"), std::nullopt };
+    LoadedVolume volume = LoadVolume(source);
+    ImageStatistics statistics(volume.image);
+    this->model.Open(
+      source, std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) }));
+    this->ShowTime(4);
+    this->box.Mark(KeyView::Axial);
+    this->ShowTime(1);
+  }
+
+  void ShowTime(int time)
+  {
+    const FileSource source = { this->files.Path("times.nrrd"), std::nullopt };
+    this->model.ShowTime(TimeReader(source).Read(time, {}));
+  }
+
+  TemporaryFolder files;
+};
+
+}
+
+TEST_F(KeyImagesOfTimes, GoToTheirTimeAndViewInOneStep)
+{
+  ASSERT_EQ(this->All().back().time, 4);
+  EXPECT_EQ(this->List()->item(0)->toolTip(), "0.20 s, 5 of 6");
+  this->SetSlab(5.0);
+  const int steps = this->model.History()->count();
+  this->Press("Go to");
+  EXPECT_EQ(this->model.ChosenTime(), 4);
+  EXPECT_EQ(this->model.CurrentScene().slices.slabMm, 0.0);
+  EXPECT_EQ(this->model.History()->count(), steps + 1);
+  this->model.History()->undo();
+  EXPECT_EQ(this->model.ChosenTime(), 1);
+  EXPECT_EQ(this->model.CurrentScene().slices.slabMm, 5.0);
+}
+
+TEST_F(KeyImagesOfTimes, KeepTheirTimeInSessions)
+{
+  const Scene back = SceneFromText(SceneText(this->model.CurrentScene()), "test");
+  EXPECT_EQ(back.keyImages.back().time, 4);
+}
+
+TEST_F(KeyImagesOfTimes, AreReadForTheReportAtTheirTime)
+{
+  EXPECT_TRUE(ScanReportHtml(this->model.CurrentScene(), *this->model.CurrentStudy())
+                .contains("Axial slice, 0.20 s, 5 of 6<br>"));
+  EXPECT_GT(this->ReportBytes(), 0);
+  this->files.Write("times.nrrd", NrrdOfTimes().substr(0, 1000));
+  EXPECT_THROW(this->ReportBytes(), std::runtime_error) << "the time is in the file only";
+}
+
+// A session may have been edited, or its scan exchanged.
+TEST_F(KeyImagesOfTimes, LeaveATimeThatTheScanDoesNotHave)
+{
+  this->model.Edit(
+    ScenePart::KeyImages, "edit", [](Scene& scene) { scene.keyImages.back().time = 6; });
+  this->Press("Go to");
+  EXPECT_EQ(this->model.ChosenTime(), 1);
+  EXPECT_GT(this->ReportBytes(), 0);
 }
 
 TEST_F(KeyImages, DoNotShowTheNamesOfMeasurementsInTheReport)

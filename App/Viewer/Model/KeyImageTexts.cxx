@@ -1,5 +1,7 @@
 #include "Viewer/Model/KeyImageTexts.h"
 
+#include "Viewer/Model/TimeSpeed.h"
+
 #include <QCoreApplication>
 
 namespace varimarch
@@ -33,6 +35,16 @@ QString TitleOf(KeyView view)
     default:
       return KeyImageTexts::tr("Volume");
   }
+}
+
+bool IsAtTime(const KeyImage& image, const LoadedTimes& times)
+{
+  return image.time && times.AreSeveral() && *image.time < int(times.values.size());
+}
+
+QString TimeTextOf(const KeyImage& image, const LoadedTimes& times)
+{
+  return IsAtTime(image, times) ? TimeText(times, *image.time) : QString();
 }
 
 }

@@ -267,9 +267,15 @@ Scene SceneModel::EditedScene() const
 void SceneModel::Edit(
   ScenePart part, const QString& name, const std::function<void(Scene&)>& change, int gesture)
 {
+  this->EditParts({ part }, name, change, gesture);
+}
+
+void SceneModel::EditParts(const std::vector<ScenePart>& parts, const QString& name,
+  const std::function<void(Scene&)>& change, int gesture)
+{
   State changed = this->state;
   change(changed.scene);
-  this->history.push(new EditStep(this, { part }, name, std::move(changed), gesture));
+  this->history.push(new EditStep(this, parts, name, std::move(changed), gesture));
 }
 
 void SceneModel::SetLook(const Look& look, const QString& name, int gesture)
@@ -289,12 +295,12 @@ void SceneModel::SetPreset(const Preset& preset, const QString& name)
     this->SetLook(preset.look, name);
     return;
   }
-  State changed = this->state;
-  TakePreset(preset, changed.scene);
-  changed.scene.look = InUnitsOfData(preset.look, changed.study->statistics);
-  this->history.push(
-    new EditStep(this, { ScenePart::Look, ScenePart::Render, ScenePart::Background }, name,
-      std::move(changed), NoGesture));
+  this->EditParts({ ScenePart::Look, ScenePart::Render, ScenePart::Background }, name,
+    [&](Scene& scene)
+    {
+      TakePreset(preset, scene);
+      scene.look = InUnitsOfData(preset.look, this->state.study->statistics);
+    });
 }
 
 // A scene can name its time by seconds; from now on it has a number.

@@ -174,6 +174,10 @@ public:
   void Edit(ScenePart part, const QString& name, const std::function<void(Scene&)>& change,
     int gesture = NoGesture);
 
+  /// Changes several parts of the scene in one step.
+  void EditParts(const std::vector<ScenePart>& parts, const QString& name,
+    const std::function<void(Scene&)>& change, int gesture = NoGesture);
+
   /// Replaces the look of the edited volume. A relative look is converted to units of the data.
   void SetLook(const Look& look, const QString& name, int gesture = NoGesture);
 

@@ -42,9 +42,15 @@ void KeyImagesBox::Mark(KeyView view)
   {
     this->model->Edit(ScenePart::KeyImages, tr("mark a key image"),
       [&](Scene& scene) {
-        scene.keyImages.push_back({ view, {}, now.slices, now.camera });
+        scene.keyImages.push_back({ view, {}, now.slices, now.camera, this->ShownTime() });
       });
   }
+}
+
+std::optional<int> KeyImagesBox::ShownTime() const
+{
+  const LoadedTimes& times = this->model->CurrentStudy()->volume.times;
+  return times.AreSeveral() ? std::optional(times.current) : std::nullopt;
 }
 
 void KeyImagesBox::Show(ScenePart part)
@@ -62,6 +68,7 @@ void KeyImagesBox::Show(ScenePart part)
   {
     auto* const item = new QListWidgetItem(TitleOf(image), this->list);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
+    item->setToolTip(TimeTextOf(image, this->model->CurrentStudy()->volume.times));
   }
   const int last = int(images.size()) - 1;
   this->list->setCurrentRow(last >= countBefore ? last : std::min(row, last));
@@ -80,16 +87,22 @@ void KeyImagesBox::Rename(QListWidgetItem* item)
 void KeyImagesBox::GoToCurrent()
 {
   const KeyImage image = this->model->CurrentScene().keyImages[this->list->currentRow()];
-  if (image.view == KeyView::Volume)
+  const bool isOfVolume = image.view == KeyView::Volume;
+  const bool hasTime = IsAtTime(image, this->model->CurrentStudy()->volume.times);
+  std::vector<ScenePart> parts = { isOfVolume ? ScenePart::Camera : ScenePart::Slices };
+  if (hasTime)
   {
-    this->model->Edit(ScenePart::Camera, tr("go to a key image"),
-      [&](Scene& scene) { scene.camera = image.camera; });
+    parts.push_back(ScenePart::Time);
   }
-  else
-  {
-    this->model->Edit(ScenePart::Slices, tr("go to a key image"),
-      [&](Scene& scene) { scene.slices = image.slices; });
-  }
+  this->model->EditParts(parts, tr("go to a key image"),
+    [&](Scene& scene)
+    {
+      isOfVolume ? void(scene.camera = image.camera) : void(scene.slices = image.slices);
+      if (hasTime)
+      {
+        std::get<FileSource>(scene.volume).time = *image.time;
+      }
+    });
 }
 
 void KeyImagesBox::RemoveCurrent()

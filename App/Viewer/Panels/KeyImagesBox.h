@@ -5,6 +5,8 @@
 
 #include <QGroupBox>
 
+#include <optional>
+
 class QListWidget;
 class QListWidgetItem;
 class QPushButton;
@@ -13,7 +15,7 @@ namespace varimarch
 {
 
 /// A list of the views that the user has marked, for the report. A double-click goes to one, as
-/// far as camera and slices are concerned; F2 renames it.
+/// far as camera, slices and time are concerned; F2 renames it.
 class KeyImagesBox : public QGroupBox
 {
   Q_OBJECT
@@ -25,6 +27,8 @@ public:
   void Mark(KeyView view);
 
 private:
+  /// The time of the voxels that are shown; empty for a volume with only one.
+  std::optional<int> ShownTime() const;
   void Show(ScenePart part);
   void Rename(QListWidgetItem* item);
   void GoToCurrent();

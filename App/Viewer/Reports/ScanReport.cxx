@@ -8,6 +8,7 @@
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/Reports/PdfPages.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/SliceView.h"
@@ -187,23 +188,40 @@ void ShowIn(SceneModel& model, const Scene& scene, const std::shared_ptr<const S
 }
 
 // The scene as it was when a key image was marked.
-Scene MarkedScene(const Scene& scene, const KeyImage& image)
+Scene MarkedScene(const Scene& scene, const KeyImage& image, const LoadedTimes& times)
 {
   Scene marked = scene;
   marked.slices = image.slices;
   marked.camera = image.camera;
+  if (IsAtTime(image, times))
+  {
+    std::get<FileSource>(marked.volume).time = *image.time;
+  }
   return marked;
+}
+
+// The study at the time of a key image, which is read if it is another one.
+std::shared_ptr<const Study> MarkedStudy(const SceneModel& model, const KeyImage& image)
+{
+  const std::shared_ptr<const Study> study = model.CurrentStudy();
+  const LoadedTimes& times = study->volume.times;
+  if (!IsAtTime(image, times) || *image.time == times.current)
+  {
+    return study;
+  }
+  return StudyTimes(model.CurrentScene(), study).Read(*image.time);
 }
 
 QImage PictureOf(const KeyImage& image, SceneModel* model)
 {
-  const Scene scene = MarkedScene(model->CurrentScene(), image);
+  const std::shared_ptr<const Study> study = MarkedStudy(*model, image);
+  const Scene scene = MarkedScene(model->CurrentScene(), image, study->volume.times);
   if (image.view == KeyView::Volume)
   {
-    return PictureMaker(scene, *model->CurrentStudy(), { PictureSize, false, true }).Draw();
+    return PictureMaker(scene, *study, { PictureSize, false, true }).Draw();
   }
   SceneModel marked;
-  ShowIn(marked, scene, model->CurrentStudy());
+  ShowIn(marked, scene, study);
   SliceView view(&marked, SlicePlane(int(image.view) - int(KeyView::Axial)));
   view.resize(SliceSize);
   return view.grab().toImage();
@@ -224,14 +242,16 @@ void AddKeyImages(QTextDocument& document, SceneModel* model)
 }
 
 // Names of key images are left out; they may contain a patient's name.
-QString KeyImagesHtml(const std::vector<KeyImage>& images)
+QString KeyImagesHtml(const std::vector<KeyImage>& images, const LoadedTimes& times)
 {
   QString html;
   for (std::size_t i = 0; i < images.size(); ++i)
   {
+    const QString time = TimeTextOf(images[i], times);
+    const QString title = TitleOf(images[i].view) + (time.isEmpty() ? "" : ", " + time);
     html += QStringLiteral("<p>%1. %2<br><img src='%3' width='%4'></p>")
               .arg(i + 1)
-              .arg(TitleOf(images[i].view).toHtmlEscaped(), NameOfKeyImage(i + 1))
+              .arg(title.toHtmlEscaped(), NameOfKeyImage(i + 1))
               .arg(WidthOfPicture);
   }
   return html.isEmpty() ? html
@@ -252,7 +272,7 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
       ReportTexts::tr("Measurements"), MeasureRows(scene, study))
     .arg(WidthOfPicture)
     .arg(WidthOfSlice)
-    .arg(SegmentTables(scene, study) + KeyImagesHtml(scene.keyImages));
+    .arg(SegmentTables(scene, study) + KeyImagesHtml(scene.keyImages, study.volume.times));
 }
 
 void WriteScanReport(SceneModel* model, const QString& path)
