@@ -4,6 +4,7 @@
 
 #include "Viewer/PanelTabs.h"
 #include "Viewer/Panels/KeyImagesBox.h"
+#include "Viewer/Tools/ToolIcons.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/ViewLayout.h"
@@ -65,6 +66,9 @@ void MainWindow::MakeLeftButtonActions(QMenu* menu)
   auto* const bar = this->addToolBar(tr("Tool bar"));
   bar->setObjectName("leftButton");
   bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  const int side = this->fontMetrics().height();
+  bar->setIconSize({ side, side });
   auto* const group = new QActionGroup(this);
   for (const MenuTool& tool : tools)
   {
@@ -73,12 +77,17 @@ void MainWindow::MakeLeftButtonActions(QMenu* menu)
   auto* const more = new QToolButton;
   more->setObjectName("annotate");
   more->setText(tr("Annotate"));
+  more->setIcon(AnnotationIcon());
   more->setToolTip(tr("Cobb angles, regions, curves, arrows and texts"));
   more->setPopupMode(QToolButton::InstantPopup);
   QMenu* const annotations = menu->addMenu(tr("Anno&tate"));
   this->MakeAnnotationActions(annotations, group);
   more->setMenu(annotations);
   bar->addWidget(more);
+  // Qt tells only the buttons of actions of the style of the bar.
+  more->setToolButtonStyle(bar->toolButtonStyle());
+  more->setIconSize(bar->iconSize());
+  connect(bar, &QToolBar::toolButtonStyleChanged, more, &QToolButton::setToolButtonStyle);
 }
 
 void MainWindow::MakeAnnotationActions(QMenu* menu, QActionGroup* group)
@@ -104,6 +113,8 @@ void MainWindow::MakeAnnotationActions(QMenu* menu, QActionGroup* group)
 QAction* MainWindow::MakeToolAction(const MenuTool& tool, QMenu* menu, QActionGroup* group)
 {
   QAction* const action = group->addAction(menu->addAction(tool.name));
+  action->setIcon(IconOf(tool.button));
+  action->setIconVisibleInMenu(false); // menus show which tool is chosen there
   action->setCheckable(true);
   action->setChecked(tool.button == LeftButton::Turn);
   action->setShortcut(QKeySequence(tool.key));
@@ -136,11 +147,17 @@ void MainWindow::MakePanelTabs()
   bar->addWidget(tabs);
 }
 
-// Puts the titles of panels below the tools if they do not fit beside them.
+// Leaves the icons out if the tools do not fit with them, as with large letters, and puts the
+// titles of panels below the tools if they do not fit beside them.
 void MainWindow::ArrangeToolBars()
 {
   auto* const tools = this->findChild<QToolBar*>("leftButton");
   auto* const titles = this->findChild<QToolBar*>("panelBar");
+  tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  if (tools->sizeHint().width() > this->width())
+  {
+    tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  }
   const bool isBeside =
     tools->sizeHint().width() + titles->sizeHint().width() <= this->width() || tools->isHidden();
   if (isBeside && this->toolBarBreak(titles))

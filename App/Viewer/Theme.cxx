@@ -75,8 +75,9 @@ QPalette HighContrastPalette()
   return palette;
 }
 
-// Buttons that are on, such as the chosen tool, have a tint of the highlight. Fusion only darkens
-// them, which is hard to see in a dark window.
+// Buttons that are on, such as the chosen tool, and the title of the panel in front have a tint of
+// the highlight. Fusion only darkens them, which is hard to see in a dark window, as are the frames
+// of its boxes to check.
 class TintedStyle : public QProxyStyle
 {
 public:
@@ -100,24 +101,66 @@ public:
       const QStyleOption tinted = Tinted(*option); // a tool button has no option of its own
       QProxyStyle::drawPrimitive(element, &tinted, painter, widget);
     }
+    else if (button && (element == PE_IndicatorCheckBox || element == PE_IndicatorRadioButton))
+    {
+      const QStyleOptionButton framed = Framed(*button);
+      QProxyStyle::drawPrimitive(element, &framed, painter, widget);
+    }
     else
     {
       QProxyStyle::drawPrimitive(element, option, painter, widget);
     }
   }
 
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+    const QWidget* widget) const override
+  {
+    const auto* const tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+    if (element == CE_TabBarTabShape && tab && (option->state & State_Selected))
+    {
+      const QStyleOptionTab tinted = Tinted(*tab, QPalette::Window);
+      QProxyStyle::drawControl(element, &tinted, painter, widget);
+      return;
+    }
+    QProxyStyle::drawControl(element, option, painter, widget);
+  }
+
+  // Qt's icons on buttons of dialogs are black, which is hard to see on dark buttons.
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+    QStyleHintReturn* found) const override
+  {
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons
+      ? 0
+      : QProxyStyle::styleHint(hint, option, widget, found);
+  }
+
 private:
+  // The frame lies half way between the window and its letters.
+  static QStyleOptionButton Framed(QStyleOptionButton option)
+  {
+    constexpr int Darkened = 140; // Fusion's colour of a frame is the window's, darker by this [%]
+    const QPalette& palette = option.palette;
+    const QColor frame =
+      Mixed(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.5);
+    option.palette.setColor(QPalette::Window, frame.lighter(Darkened));
+    return option;
+  }
+
   template <class Option>
-  static Option Tinted(Option option)
+  static Option Tinted(Option option, QPalette::ColorRole role = QPalette::Button)
   {
     constexpr double Part = 0.35;
-    const QColor button = option.palette.color(QPalette::Button);
-    const QColor highlight = option.palette.color(QPalette::Highlight);
-    const auto mixed = [](double plain, double full) { return plain + Part * (full - plain); };
-    option.palette.setColor(QPalette::Button,
-      QColor::fromRgbF(mixed(button.redF(), highlight.redF()),
-        mixed(button.greenF(), highlight.greenF()), mixed(button.blueF(), highlight.blueF())));
+    const QPalette& palette = option.palette;
+    option.palette.setColor(
+      role, Mixed(palette.color(role), palette.color(QPalette::Highlight), Part));
     return option;
+  }
+
+  static QColor Mixed(const QColor& plain, const QColor& full, double part)
+  {
+    const auto mixed = [part](double a, double b) { return a + part * (b - a); };
+    return QColor::fromRgbF(mixed(plain.redF(), full.redF()), mixed(plain.greenF(), full.greenF()),
+      mixed(plain.blueF(), full.blueF()));
   }
 };
 
@@ -141,6 +184,8 @@ Theme ChosenTheme()
 
 void ApplyTheme(Theme theme)
 {
+  // Icons then have all the pixels of a fine screen.
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   // Remember the desktop's style to return to it.
   static const QString systemStyle = QApplication::style()->objectName();
   if (theme == Theme::System)

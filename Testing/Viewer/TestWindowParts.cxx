@@ -20,6 +20,7 @@
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QToolBar>
+#include <QToolButton>
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -109,6 +110,32 @@ TEST_F(Window, OffersToHideTheToolsButNotTheTitlesOfPanels)
   { return this->window.findChild<QToolBar*>(bar)->windowTitle(); };
   EXPECT_TRUE(offered.contains(title("leftButton")));
   EXPECT_FALSE(offered.contains(title("panelBar")));
+}
+
+TEST_F(Window, ShowsToolsByIconsBesideTheirWords)
+{
+  this->window.resize(1280, 720);
+  const auto* const bar = this->window.findChild<QToolBar*>("leftButton");
+  int seen = 0;
+  for (const QToolButton* const button : bar->findChildren<QToolButton*>())
+  {
+    if (button->text().isEmpty())
+    {
+      continue; // the arrow that Qt shows where a bar is too narrow
+    }
+    ++seen;
+    EXPECT_FALSE(button->icon().isNull()) << button->text().toStdString();
+    EXPECT_EQ(button->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    EXPECT_EQ(button->iconSize(), bar->iconSize());
+    EXPECT_TRUE(button->isVisible()) << button->text().toStdString();
+  }
+  EXPECT_EQ(seen, 9);
+  const int narrow = bar->sizeHint().width() - 20;
+  this->window.resize(narrow, 500);
+  ASSERT_EQ(this->window.width(), narrow);
+  const auto* const annotate = bar->findChild<QToolButton*>("annotate");
+  EXPECT_EQ(annotate->toolButtonStyle(), Qt::ToolButtonTextOnly) << "words matter more";
+  EXPECT_LE(bar->sizeHint().width(), narrow);
 }
 
 TEST_F(Window, FindsACommandByItsWords)
