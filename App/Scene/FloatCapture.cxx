@@ -72,8 +72,12 @@ FloatCapture::FloatCapture(vtkOpenGLRenderWindow* window, vtkRenderer* renderer)
   const WindowInUse use(window);
   std::copy_n(window->GetSize(), 2, this->size.begin());
   this->framebuffer->SetContext(window);
+  // VTK's mapper copies the depths of geometry, for which OpenGL requires the format of VTK's own
+  // framebuffers.
+  constexpr int DepthBits = 32;
+  const bool hasStencil = window->GetStencilCapable() != 0;
   if (!this->framebuffer->PopulateFramebuffer(
-        this->size[0], this->size[1], true, 1, VTK_FLOAT, true, 24, 0, false))
+        this->size[0], this->size[1], true, 1, VTK_FLOAT, true, DepthBits, 0, hasStencil))
   {
     throw std::runtime_error("OpenGL has no framebuffer of 32-bit floats for " +
       std::to_string(this->size[0]) + " x " + std::to_string(this->size[1]) + " pixels");

@@ -17,8 +17,7 @@ namespace varimarch
 
 /// Renders once into a framebuffer of 32-bit floats that starts out transparent, some rows at a
 /// time, with pauses as long as the scene does not change. Some drivers stop a single draw call
-/// that takes seconds, and a window does not react during one. VTK's GPU mapper must have rendered
-/// an ordinary frame before; otherwise its image stays empty.
+/// that takes seconds, and a window does not react during one.
 class FloatCapture
 {
 public:

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -229,6 +230,18 @@ TEST(GPUAdapter, LeavesArraysThatAreNotContiguousToVtk)
   EXPECT_NE(std::string(adapter->GetReasonForVtkMapper()).find("side by side"), std::string::npos);
 }
 
+TEST(GPUAdapter, LetsGeometryHideWhatVtksMapperDraws)
+{
+  MapperScene scene(SmallTorso());
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> vtk;
+  scene.renderer->AddActor(Ball(scene.volume->GetCenter(), 0.5 * scene.volume->GetLength()));
+  scene.renderer->ResetCameraClippingRange();
+  const std::vector<float> hidden = Drawn(scene, vtk, Nothing);
+  scene.volume->VisibilityOff();
+  EXPECT_EQ(scene.Draw(), hidden);
+  EXPECT_GT(*std::max_element(hidden.begin(), hidden.end()), 0.1F) << "no ball";
+}
+
 TEST_P(ForwardedSetting, IsDrawnAsByTheMapperItself)
 {
   MapperScene plain(SmallTorso());
@@ -250,6 +263,7 @@ TEST_P(UnsupportedSetting, IsDrawnByVtksMapperAndSaysWhy)
   vtkNew<vtkVariationFieldGPUVolumeRayCastMapper> adapter;
   const std::vector<float> drawn = Drawn(scene, adapter, GetParam());
   EXPECT_NE(std::string(adapter->GetReasonForVtkMapper()), "");
+  EXPECT_GT(*std::max_element(drawn.begin(), drawn.end()), 0.1F) << "nothing is drawn";
 
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> vtk;
   EXPECT_EQ(Drawn(scene, vtk, GetParam()), drawn);
