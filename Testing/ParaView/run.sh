@@ -138,7 +138,7 @@ testProgram()
 testSeveralProcesses()
 {
   step "Several processes, against one"
-  local count name least
+  local count name
   draw 1 "Volume (Varimarch)" ours-1 "${cases[@]}"
   draw 1 "Volume" stock-1 "${cases[@]}"
   row ""
@@ -154,18 +154,14 @@ testSeveralProcesses()
     draw "$count" "Volume" "stock-$count" "${cases[@]}"
     for name in "${cases[@]}"
     do
-      least=$leastDecibels
-      # ParaView takes one box around all parts of a process. Those of two volumes beside each other,
-      # split along the line between them, overlap, and a warning says so.
-      if [ "$name $count" = "two 8" ]
-      then
-        least=0
-        expectMessage "The boxes around the volumes of the processes" "$pictures/ours-$count/log"
-      fi
       row "| $name | $count" \
-        "| $(compare "$pictures/ours-1/$name.png" "$pictures/ours-$count/$name.png" "$least")" \
+        "| $(compare "$pictures/ours-1/$name.png" "$pictures/ours-$count/$name.png" "$leastDecibels")" \
         "| $(compare "$pictures/stock-1/$name.png" "$pictures/stock-$count/$name.png" 0) |"
     done
+    # Of two volumes beside each other, split along the line between them, some parts of one process
+    # are in front of those of another and others behind them.
+    [ "$count" -ne 8 ] ||
+      expectMessage "may each have a part of a volume in front" "$pictures/ours-$count/log"
   done
 }
 

@@ -1,7 +1,7 @@
 #include "vtkVarimarchVolumeRepresentation.h"
 
-#include "BoxesOfProcesses.h"
 #include "Core/Blocks/BoxOrder.h"
+#include "OrderOfProcesses.h"
 #include "OwnedPart.h"
 #include "vtkVarimarchPartsMapper.h"
 
@@ -149,6 +149,7 @@ int vtkVarimarchVolumeRepresentation::ProcessViewRequest(
     double bounds[6];
     varimarch::TurnBounds(this->DataBounds, this->Actor->GetMatrix(), bounds);
     vtkPVRenderView::SetGeometryBounds(input, this, bounds);
+    varimarch::KeepDataBox(this->DataBounds, this->Actor);
   }
   return result;
 }
@@ -238,10 +239,10 @@ void vtkVarimarchVolumeRepresentation::CropToBox()
   this->Mapper->SetCroppingRegionPlanes(planes);
 }
 
-// Lets all parts, on all processes, use the shortest steps that any of them needs. ParaView begins
-// to render on all processes, also on those that then draw nothing, so that none waits for another
-// in vain.
-void vtkVarimarchVolumeRepresentation::AgreeOnSteps(vtkObject* caller, unsigned long, void*)
+// Lets all parts, on all processes, use the shortest steps that any of them needs, and finds the
+// order of processes. ParaView begins to render on all processes, also on those that then draw
+// nothing, so that none waits for another in vain.
+void vtkVarimarchVolumeRepresentation::AgreeWithOthers(vtkObject* caller, unsigned long, void*)
 {
   auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
   const bool sharesProcesses =
@@ -274,26 +275,27 @@ void vtkVarimarchVolumeRepresentation::AgreeOnSteps(vtkObject* caller, unsigned 
   {
     vtkMultiProcessController::GetGlobalController()->AllReduce(
       own, least, 2, vtkCommunicator::MIN_OP);
-    this->WarnOfOverlap(renderer);
+    this->OrderProcesses(renderer);
   }
   this->Mapper->SetCommonSteps(least[0] < Unlimited ? least[0] : 0.0, least[1] < 0.0);
   vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "Varimarch: own steps %g, common steps %g%s", own[0],
     least[0], least[1] < 0.0 ? ", pre-integrated" : "");
 }
 
-// All processes take part.
-void vtkVarimarchVolumeRepresentation::WarnOfOverlap(vtkRenderer* renderer)
+// Warns once if no order is right. All processes take part.
+void vtkVarimarchVolumeRepresentation::OrderProcesses(vtkRenderer* renderer)
 {
   vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
-  const auto overlap = varimarch::OverlappingProcesses(renderer, controller);
-  if (overlap && !this->HasWarnedOfOverlap && controller->GetLocalProcessId() == 0)
+  const auto conflict = varimarch::OrderProcesses(renderer, controller);
+  if (conflict && !this->HasWarnedOfOrder && controller->GetLocalProcessId() == 0)
   {
-    vtkWarningMacro("The boxes around the volumes of the processes "
-      << overlap->first << " and " << overlap->second
-      << " overlap, and ParaView may lay their parts of the picture over each other in a wrong "
-         "order: expected volumes that are not turned and are divided alike, or one process.");
+    vtkWarningMacro("The processes "
+      << conflict->first << " and " << conflict->second
+      << " may each have a part of a volume in front of one of the other's, and ParaView, which "
+         "lays their pictures over each other as a whole, draws such pixels wrongly: expected "
+         "volumes that do not overlap and are divided alike, or one process.");
   }
-  this->HasWarnedOfOverlap = overlap.has_value();
+  this->HasWarnedOfOrder = conflict.has_value();
 }
 
 bool vtkVarimarchVolumeRepresentation::AddToView(vtkView* view)
@@ -303,7 +305,7 @@ bool vtkVarimarchVolumeRepresentation::AddToView(vtkView* view)
     // After the observers that synchronize the cameras of processes.
     constexpr float Last = -1.0F;
     this->Observer = renderView->GetRenderer()->AddObserver(
-      vtkCommand::StartEvent, this, &vtkVarimarchVolumeRepresentation::AgreeOnSteps, Last);
+      vtkCommand::StartEvent, this, &vtkVarimarchVolumeRepresentation::AgreeWithOthers, Last);
   }
   return this->Superclass::AddToView(view);
 }

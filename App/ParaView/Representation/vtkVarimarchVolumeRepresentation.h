@@ -6,8 +6,8 @@
  * It has the properties of ParaView's "Volume" and those of the mapper that ParaView's does not
  * have: error tolerance, acceleration, shadows and ambient occlusion. Several processes each draw
  * the boxes of cells that they own, with the voxels around them for the light at their faces, and
- * ParaView composites the pictures. Before a still image they agree on steps: the shortest that any
- * part needs.
+ * ParaView composites the pictures. Before each image they agree on the order of their pictures,
+ * and before a still image on steps: the shortest that any part needs.
  *
  * Pictures of several processes, and of several images of a multi-block data set, are laid over
  * each other. What this gives no right picture of, projections and shadows, is refused with a
@@ -79,8 +79,8 @@ protected:
   bool RemoveFromView(vtkView* view) override;
 
 private:
-  void AgreeOnSteps(vtkObject* renderer, unsigned long event, void* data);
-  void WarnOfOverlap(vtkRenderer* renderer);
+  void AgreeWithOthers(vtkObject* renderer, unsigned long event, void* data);
+  void OrderProcesses(vtkRenderer* renderer);
   void CropToBox();
   bool DimsLight();
   std::string Problem();
@@ -88,7 +88,7 @@ private:
   vtkVarimarchPartsMapper* Mapper; // the object in VolumeMapper
   bool Cropping = false;
   bool HasBlocks = false; // true if the input is a data set of several parts
-  bool HasWarnedOfOverlap = false;
+  bool HasWarnedOfOrder = false;
   vtkNew<vtkVolume> Part; // the volume for which steps are found, as ParaView's contains another
   unsigned long Observer = 0;
   std::string ReportedProblem;
