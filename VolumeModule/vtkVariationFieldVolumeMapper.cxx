@@ -232,7 +232,7 @@ double vtkVariationFieldVolumeMapper::GetDrawnPart()
 {
   const double part = this->Private->Last->DrawnPart(this->MaximumAccumulatedPictures);
   constexpr double NotAll = 0.99;
-  return this->Private->Levels.Drawn().mayBeRefined ? std::min(part, NotAll) : part;
+  return this->Private->Levels.MayBeRefined() ? std::min(part, NotAll) : part;
 }
 
 int vtkVariationFieldVolumeMapper::GetAccumulatedPictures()
@@ -373,7 +373,7 @@ bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
 {
   const auto& tolerance = this->Private->Last->Tolerance();
   const varimarch::DrawnLevel& drawn = this->Private->Levels.Drawn();
-  if (drawn.level == CoarseLevel || drawn.mayBeRefined)
+  if (drawn.level == CoarseLevel || this->Private->Levels.LastMayBeRefined())
   {
     return false;
   }

@@ -514,7 +514,7 @@ public:
   vtkSetClampMacro(LongestPartSeconds, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(LongestPartSeconds, double);
   /// The finished fraction of all frames to be accumulated, [0, 1]; less than 1 while RefinedLevel
-  /// goes on.
+  /// goes on in any of the views that are drawn in turn, or voxels follow the means.
   double GetDrawnPart();
   ///@}
 
@@ -641,14 +641,16 @@ public:
   /**
    * Level by which a volume that vtkVolumeFileReader has left in its file is drawn: its voxels, or
    * the means of cubes of 4 x 4 x 4 voxels, which are in memory. AutomaticLevel takes the means
-   * during interaction (see MinimumImageSampleDistance). Volumes in memory, overlapping ones, and
-   * those with a mask or blanked voxels are always drawn, and all are picked, by their voxels.
+   * during interaction (see MinimumImageSampleDistance) and, with LongestPartSeconds, for the first
+   * image of a scene, which is there at once. Volumes in memory, overlapping ones, and those with a
+   * mask or blanked voxels are always drawn, and all are picked, by their voxels.
    *
-   * RefinedLevel begins with the means. Each further image of the same scene takes voxels where the
-   * means may change it most, until GetLevelErrorBound() is at most half of the ErrorTolerance (of
-   * 1/64 if there is none), whose other half is for everything else. Voxels that no pixel needs are
-   * never read: clear ones, those of one material, and hidden ones. Images whose error cannot be
-   * bounded so are drawn by voxels. Default: AutomaticLevel.
+   * RefinedLevel begins with the means, and then knows their error. Each further image of the same
+   * scene takes voxels where the means may change it most, as many as are read soon, until
+   * GetLevelErrorBound() is at most half of the ErrorTolerance (of 1/64 if there is none), whose
+   * other half is for everything else. Voxels that no pixel needs are never read: clear ones, those
+   * of one material, and hidden ones. Images whose error cannot be bounded so are drawn by voxels.
+   * Default: AutomaticLevel.
    */
   enum
   {

@@ -138,11 +138,21 @@ void AddDrawing(
 // Says what an image that takes voxels only where it needs them has of them.
 void TellOfLevel(vtkVariationFieldVolumeMapper* ours, double seconds)
 {
-  if (ours && ours->GetUsedLevelOfDetail() == vtkVariationFieldVolumeMapper::RefinedLevel)
+  if (!ours || ours->GetLevelOfDetail() != vtkVariationFieldVolumeMapper::RefinedLevel)
   {
-    std::ostringstream text;
+    return;
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1);
+  if (ours->GetUsedLevelOfDetail() == vtkVariationFieldVolumeMapper::CoarseLevel)
+  {
+    text << "the coarse level after " << seconds << " s";
+    PrintMessage(text.str());
+  }
+  else if (ours->GetUsedLevelOfDetail() == vtkVariationFieldVolumeMapper::RefinedLevel)
+  {
     text << "voxels of " << ours->GetRefinedBlocks() << " of " << ours->GetVisibleBlocks()
-         << " visible blocks after " << std::fixed << std::setprecision(1) << seconds
+         << " visible blocks after " << seconds
          << " s: the coarse level of the others changes the image by at most "
          << std::setprecision(4) << ours->GetLevelErrorBound();
     PrintMessage(text.str());

@@ -3,7 +3,10 @@
 #include "Module/PagesInMemory.h"
 #include "Module/TorsoOnDisk.h"
 
+#include <vtkNew.h>
 #include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkVolumeProperty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +73,20 @@ protected:
       drawn = scene.Draw();
     }
     return drawn;
+  }
+
+  /// Renders a window until nothing more is refined, or a hundred times.
+  /// @return the number of images
+  static int RenderAll(MapperScene& scene)
+  {
+    scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+    int images = 0;
+    do
+    {
+      scene.window->Render();
+      ++images;
+    } while (scene.mapper->GetDrawnPart() < 1.0 && images < 100);
+    return images;
   }
 };
 
@@ -186,6 +203,33 @@ TEST_F(RefinedLevels, ReadNothingOfOneMaterial)
   EXPECT_EQ(PagesThere(image), before);
 }
 
+// A shell of fog in air, with and without light, which also needs values where rays begin and end.
+TEST_F(RefinedLevels, ReadNothingBeforeTheErrorIsShown)
+{
+  const auto shell = [](int x, int y, int z)
+  {
+    const int r2 = (x - 32) * (x - 32) + (y - 32) * (y - 32) + (z - 32) * (z - 32);
+    return r2 > 500 && r2 < 700 ? 300 + (37 * x + 101 * y + 59 * z) % 400 : 0;
+  };
+  vtkImageData* const image = this->ReadVoxels(shell);
+  for (const bool isLit : { false, true })
+  {
+    MapperScene scene(image);
+    UseFog(scene, 0.0, 0.02);
+    scene.volume->GetProperty()->SetShade(isLit);
+    scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+    const std::size_t before = PagesThere(image);
+    scene.Draw();
+    EXPECT_EQ(PagesThere(image), before);
+    scene.Draw();
+    EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::RefinedLevel);
+    EXPECT_LT(scene.mapper->GetLevelErrorBound(), 1.0);
+    EXPECT_EQ(scene.mapper->GetRefinedBlocks(), 0);
+    EXPECT_EQ(PagesThere(image), before);
+  }
+}
+
 // The fog is thicker from 400 to 650. A table of all values would have no entry there.
 TEST_F(RefinedLevels, TellValuesApartThatAreFarFromAFillValue)
 {
@@ -239,4 +283,78 @@ TEST_F(RefinedLevels, AreCompleteBeforeTheNextRoundWhereTheyComeInParts)
   const std::vector<float> parts = DrawAll(scene);
   EXPECT_EQ(scene.mapper->GetAccumulatedPictures(), 2);
   EXPECT_LE(scene.mapper->GetLevelErrorBound(), 1.0 / 128.0);
+}
+
+TEST_F(RefinedLevels, AreCompleteInSeveralRenderersThatAreDrawnInTurn)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  vtkNew<vtkRenderer> beside;
+  beside->SetViewport(0.5, 0.0, 1.0, 1.0);
+  scene.renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  beside->AddVolume(scene.volume);
+  scene.window->AddRenderer(beside);
+  beside->ResetCamera();
+  beside->GetActiveCamera()->Azimuth(60.0);
+  const int images = RenderAll(scene);
+  EXPECT_GT(images, 2);
+  EXPECT_LT(images, 100);
+  EXPECT_LE(scene.mapper->GetLevelErrorBound(), 1.0 / 128.0);
+
+  // Each goes on by itself, and nobody waits for one that is not drawn any more.
+  scene.renderer->GetActiveCamera()->Azimuth(20.0);
+  scene.window->Render();
+  EXPECT_LT(scene.mapper->GetDrawnPart(), 1.0) << "the other one is complete";
+  scene.window->RemoveRenderer(scene.renderer);
+  EXPECT_LT(RenderAll(scene), 4);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::VoxelLevel);
+  scene.window->Render();
+  EXPECT_EQ(scene.mapper->GetDrawnPart(), 1.0);
+}
+
+TEST_F(RefinedLevels, AreCompleteForBothEyes)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.window->SetStereoTypeToRedBlue();
+  scene.window->StereoRenderOn();
+  const int images = RenderAll(scene);
+  EXPECT_GT(images, 2);
+  EXPECT_LT(images, 100);
+  EXPECT_LE(scene.mapper->GetLevelErrorBound(), 1.0 / 128.0);
+}
+
+TEST_F(RefinedLevels, BeginVoxelsThatComeInPartsAtOnce)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::VoxelLevel);
+  EXPECT_EQ(scene.mapper->GetDrawnPart(), 1.0) << "no parts are wanted";
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  scene.mapper->SetLongestPartSeconds(100.0);
+  int before = vtkVariationFieldVolumeMapper::CoarseLevel;
+  int images = 0;
+  do
+  {
+    scene.Draw();
+    const int level = scene.mapper->GetUsedLevelOfDetail();
+    EXPECT_TRUE(
+      level == before || (images > 0 && before != vtkVariationFieldVolumeMapper::VoxelLevel));
+    EXPECT_EQ(
+      scene.mapper->GetErrorToleranceIsKept(), level == vtkVariationFieldVolumeMapper::VoxelLevel);
+    before = level;
+    ++images;
+  } while (scene.mapper->GetDrawnPart() < 1.0 && images < 100);
+  EXPECT_EQ(before, vtkVariationFieldVolumeMapper::VoxelLevel);
+  EXPECT_LT(images, 100);
+
+  // A volume in memory has no levels, whatever was not complete before.
+  scene.renderer->GetActiveCamera()->Azimuth(20.0);
+  scene.Draw();
+  EXPECT_LT(scene.mapper->GetDrawnPart(), 1.0);
+  scene.mapper->SetInputData(SmallTorso());
+  scene.mapper->SetLongestPartSeconds(0.0);
+  scene.Draw();
+  EXPECT_EQ(scene.mapper->GetDrawnPart(), 1.0);
 }

@@ -179,7 +179,7 @@ double LargestOf(const std::vector<double>& bounds)
 double RefineAll(const LevelPictures& pictures, double tolerance, BlockLevels& levels)
 {
   std::vector<double> bounds(std::size_t(BoundPixels.x * BoundPixels.y), 1.0);
-  Refine(pictures.Scene(), tolerance, levels, bounds);
+  Refine(pictures.Scene(), { tolerance }, levels, bounds);
   return LargestOf(bounds);
 }
 
@@ -297,6 +297,25 @@ TEST(LevelRefinement, TakesMoreVoxelsForASmallerTolerance)
     before = CountVoxels(levels);
   }
   EXPECT_LT(before, std::ptrdiff_t(levels.areVoxels.size()));
+}
+
+TEST(LevelRefinement, TakesVoxelsForRowsOfPixelsInSeveralRounds)
+{
+  constexpr double Tolerance = 1.0 / 128.0;
+  LevelPictures pictures(Wave, Foggy(0.2));
+  BlockLevels levels = pictures.Looks().Begun();
+  std::vector<double> bounds = LevelBounds(pictures.Scene(), levels);
+  std::ptrdiff_t before = CountVoxels(levels);
+  int rounds = 0;
+  while (LargestOf(bounds) > Tolerance)
+  {
+    Refine(pictures.Scene(), { Tolerance, 1 }, levels, bounds);
+    EXPECT_GT(CountVoxels(levels), before);
+    EXPECT_LE(pictures.MostBeyond(pictures.Draw(levels), bounds), StepError) << rounds;
+    before = CountVoxels(levels);
+    ++rounds;
+  }
+  EXPECT_EQ(rounds, 2) << "each is of 16 rows";
 }
 
 TEST(LevelRefinement, TakesNoVoxelsOfOneMaterial)

@@ -5,12 +5,15 @@
 #include "Readers/MappedScalars.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkVolume.h"
+
+#include <algorithm>
 
 namespace varimarch
 {
@@ -29,21 +32,19 @@ double LevelTolerance(const Frame& frame)
 }
 
 // True if blocks may have different levels: what their voxels look like depends on no other block.
-bool MayBeRefined(const LevelInputs& inputs, const Frame& frame)
+bool CanBeRefined(const LevelInputs& inputs, const Frame& frame)
 {
   return inputs.summary->areFinite && !frame.settings.shadows && !frame.settings.occlusion;
 }
 
-// The level for the next image: VoxelLevel, CoarseLevel or RefinedLevel.
-int LevelNow(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame)
+// True while a scene whose voxels are drawn in parts is still shown by its coarse level: parts of
+// voxels may take long to be read, or steps to be found for them.
+bool Begins(DrawnView& view, const std::vector<double>& fingerprint, bool lastIsWhole)
 {
-  const int wanted = mapper->GetLevelOfDetail();
-  const bool isMoving =
-    wanted != vtkVariationFieldVolumeMapper::VoxelLevel && IsInteractive(mapper, volume, frame);
-  const int atRest = wanted == vtkVariationFieldVolumeMapper::AutomaticLevel
-    ? vtkVariationFieldVolumeMapper::VoxelLevel
-    : wanted;
-  return isMoving ? vtkVariationFieldVolumeMapper::CoarseLevel : atRest;
+  const bool isNew = view.begun != fingerprint;
+  view.beginsStill = isNew || (view.beginsStill && !lastIsWhole);
+  view.begun = fingerprint;
+  return view.beginsStill;
 }
 
 // The summary of voxels that are drawn alone, with a coarse level; null for others.
@@ -97,6 +98,28 @@ void LevelOfDetail::UpdateImage(const std::shared_ptr<const VolumeSummary>& newS
   this->image->SetDirectionMatrix(voxels->GetDirectionMatrix());
 }
 
+// The level for the next image: VoxelLevel, CoarseLevel or RefinedLevel.
+int LevelOfDetail::LevelNow(
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole)
+{
+  const int wanted = mapper->GetLevelOfDetail();
+  DrawnView& view = this->ViewOf(frame);
+  view.isComplete = true;
+  if (wanted != vtkVariationFieldVolumeMapper::VoxelLevel && IsInteractive(mapper, volume, frame))
+  {
+    return vtkVariationFieldVolumeMapper::CoarseLevel;
+  }
+  if (wanted != vtkVariationFieldVolumeMapper::AutomaticLevel)
+  {
+    return wanted;
+  }
+  const bool begins = mapper->GetLongestPartSeconds() > 0.0 && frame.pass.kind == RayPass::Whole &&
+    Begins(view, ImageFingerprint(mapper, frame), lastIsWhole);
+  view.isComplete = !begins;
+  return begins ? vtkVariationFieldVolumeMapper::CoarseLevel
+                : vtkVariationFieldVolumeMapper::VoxelLevel;
+}
+
 std::optional<Frame> LevelOfDetail::FrameInstead(
   vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole)
 {
@@ -106,25 +129,30 @@ std::optional<Frame> LevelOfDetail::FrameInstead(
   }
   this->bound = nullptr;
   this->drawn = {};
-  const int level = LevelNow(mapper, volume, frame);
-  const auto known = level != vtkVariationFieldVolumeMapper::VoxelLevel
-    ? SummaryWithLevel(frame, vtkImageData::SafeDownCast(mapper->GetDataSetInput()))
-    : nullptr;
-  const std::optional<LevelInputs> inputs = known ? LevelInputsOf(known, frame) : std::nullopt;
+  const auto known = SummaryWithLevel(frame, vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
+  if (!known)
+  {
+    this->views.clear();
+    return std::nullopt;
+  }
+  const int level = this->LevelNow(mapper, volume, frame, lastIsWhole);
+  const bool isCoarse = level != vtkVariationFieldVolumeMapper::VoxelLevel;
+  const std::optional<LevelInputs> inputs = isCoarse ? LevelInputsOf(known, frame) : std::nullopt;
   const bool isRefined = level == vtkVariationFieldVolumeMapper::RefinedLevel;
-  if (!known || (isRefined && !(inputs && MayBeRefined(*inputs, frame))))
+  if (!isCoarse || (isRefined && !(inputs && CanBeRefined(*inputs, frame))))
   {
     return std::nullopt;
   }
   std::optional<Frame> coarse = this->CoarseFrame(mapper, volume, frame, known);
   if (coarse && isRefined)
   {
+    DrawnView& view = this->views.front();
     this->Refine(
-      ImageFingerprint(mapper, frame), *inputs, lastIsWhole ? LevelTolerance(frame) : 1.0);
-    this->drawn.mayBeRefined = this->refinement->Bound() > LevelTolerance(frame);
-    if (this->refinement->Rounds() > 0)
+      view, ImageFingerprint(mapper, frame), *inputs, lastIsWhole ? LevelTolerance(frame) : 1.0);
+    view.isComplete = view.refinement->Bound() <= LevelTolerance(frame);
+    if (view.refinement->Rounds() > 0)
     {
-      return this->RefinedFrame(frame, *coarse);
+      return this->RefinedFrame(*view.refinement, frame, *coarse);
     }
   }
   if (coarse)
@@ -143,37 +171,75 @@ std::optional<Frame> LevelOfDetail::CoarseFrame(vtkVariationFieldVolumeMapper* m
   return BuildFrame(mapper, frame.view.renderer, volume, this->image);
 }
 
-// The first image of a scene is of the coarse level.
-void LevelOfDetail::Refine(
-  const std::vector<double>& fingerprint, const LevelInputs& inputs, double tolerance)
+// Several renderers, and the eyes of a stereo image, are drawn in turn.
+DrawnView& LevelOfDetail::ViewOf(const Frame& frame)
 {
-  if (this->refinement && this->refinement->IsOf(fingerprint))
+  constexpr std::size_t MostViews = 8; // each takes up to 4 MB, and 8 bytes for each pixel
+  vtkRenderer* const renderer = frame.view.renderer;
+  const bool isLeftEye = renderer->GetActiveCamera()->GetLeftEye() != 0;
+  this->views.remove_if([](const DrawnView& view) { return !view.renderer; });
+  const auto found = std::find_if(this->views.begin(), this->views.end(),
+    [&](const DrawnView& view)
+    { return view.renderer == renderer && view.isLeftEye == isLeftEye; });
+  if (found == this->views.end())
   {
-    this->refinement->Refine(tolerance);
+    this->views.emplace_front();
+    this->views.front().renderer = renderer;
+    this->views.front().isLeftEye = isLeftEye;
+    if (this->views.size() > MostViews)
+    {
+      this->views.pop_back();
+    }
   }
   else
   {
-    this->refinement =
-      std::make_unique<LevelRefinement>(fingerprint, inputs, this->refinement.get());
+    this->views.splice(this->views.begin(), this->views, found);
   }
+  this->views.front().lastDrawing = ++this->drawings;
+  return this->views.front();
 }
 
-Frame LevelOfDetail::RefinedFrame(const Frame& frame, const Frame& coarse)
+// A view that nobody draws any more is left out after a round of the others.
+bool LevelOfDetail::MayBeRefined() const
 {
-  this->bound = [bound = this->refinement->Bound()] { return bound; };
+  return std::any_of(this->views.begin(), this->views.end(),
+    [&](const DrawnView& view)
+    { return !view.isComplete && this->drawings - view.lastDrawing < this->views.size(); });
+}
+
+// The first image of a scene is of the coarse level.
+void LevelOfDetail::Refine(DrawnView& view, const std::vector<double>& fingerprint,
+  const LevelInputs& inputs, double tolerance)
+{
+  if (view.refinement && view.refinement->IsOf(fingerprint))
+  {
+    view.refinement->Refine(tolerance);
+    return;
+  }
+  const auto other = std::find_if(this->views.begin(), this->views.end(),
+    [&](const DrawnView& drawnView)
+    { return drawnView.refinement && drawnView.refinement->HasLooksFor(inputs); });
+  view.refinement = std::make_unique<LevelRefinement>(
+    fingerprint, inputs, other == this->views.end() ? nullptr : other->refinement.get());
+}
+
+Frame LevelOfDetail::RefinedFrame(
+  const LevelRefinement& refinement, const Frame& frame, const Frame& coarse)
+{
+  this->bound = [bound = refinement.Bound()] { return bound; };
   this->drawn.level = vtkVariationFieldVolumeMapper::RefinedLevel;
-  this->drawn.visibleBlocks = this->refinement->VisibleBlocks();
-  this->drawn.refinedBlocks = this->refinement->RefinedBlocks();
+  this->drawn.visibleBlocks = refinement.VisibleBlocks();
+  this->drawn.refinedBlocks = refinement.RefinedBlocks();
   Frame refined = frame;
   refined.coarser = { coarse };
-  refined.blockLevels = this->refinement->Levels();
+  refined.blockLevels = refinement.Levels();
   QualityRequest& quality = refined.quality;
   quality.budget.tolerance *= 1.0 - LevelShare;
   quality.earlyTerminationTransmittance =
     quality.budget.EarlyTermination(quality.earlyTerminationTransmittance);
   refined.coarser.front().quality = quality;
   // Other levels make another image, which needs other steps.
-  refined.levelRound = this->refinement->Rounds();
+  refined.levelRound = refinement.Rounds();
   if (!refined.accumulation.fingerprint.empty())
   {
     refined.accumulation.fingerprint.push_back(refined.levelRound);

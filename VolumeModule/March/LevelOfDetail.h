@@ -6,10 +6,13 @@
 #include "March/LevelRefinement.h"
 #include "March/RayMarcher.h"
 
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
 #include <cstddef>
 #include <functional>
+#include <list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,11 +28,22 @@ namespace varimarch
 /// True if an image is drawn while somebody interacts, for less time than a still one may take.
 bool IsInteractive(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame);
 
+/// The image that a renderer shows to one eye.
+struct DrawnView
+{
+  vtkWeakPointer<vtkRenderer> renderer;
+  bool isLeftEye = true;
+  std::size_t lastDrawing = 0;                 ///< the number of the last drawing of the view
+  bool isComplete = true;                      ///< false if a further image would be more exact
+  std::unique_ptr<LevelRefinement> refinement; ///< null before the first of RefinedLevel
+  std::vector<double> begun; ///< fingerprint of the scene that began with the coarse level
+  bool beginsStill = false;  ///< true until the coarse level of that scene is drawn whole
+};
+
 /// The level of an image.
 struct DrawnLevel
 {
   int level = 0;                 ///< VoxelLevel, CoarseLevel or RefinedLevel of the mapper.
-  bool mayBeRefined = false;     ///< True if a further image would be more exact.
   std::size_t visibleBlocks = 0; ///< 0 for images of a single level.
   std::size_t refinedBlocks = 0; ///< Visible blocks that are drawn by voxels.
 };
@@ -58,6 +72,12 @@ public:
   /// The level of the last frame.
   const DrawnLevel& Drawn() const { return this->drawn; }
 
+  /// True if further images of the views that are drawn in turn would be more exact.
+  bool MayBeRefined() const;
+
+  /// True if this holds for the last one.
+  bool LastMayBeRefined() const { return !this->views.empty() && !this->views.front().isComplete; }
+
   void Release(vtkWindow* window);
 
 private:
@@ -65,15 +85,21 @@ private:
     vtkDataArray* scalarsOfVoxels, vtkImageData* voxels);
   std::optional<Frame> CoarseFrame(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume,
     const Frame& frame, const std::shared_ptr<const VolumeSummary>& known);
+  int LevelNow(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole);
+  /// The view of a frame, which becomes the first of all.
+  DrawnView& ViewOf(const Frame& frame);
   /// Goes on with the scene of a fingerprint, or begins it.
-  void Refine(const std::vector<double>& fingerprint, const LevelInputs& inputs, double tolerance);
-  Frame RefinedFrame(const Frame& frame, const Frame& coarse);
+  void Refine(DrawnView& view, const std::vector<double>& fingerprint, const LevelInputs& inputs,
+    double tolerance);
+  Frame RefinedFrame(const LevelRefinement& refinement, const Frame& frame, const Frame& coarse);
 
   std::shared_ptr<const VolumeSummary> summary;
   vtkSmartPointer<vtkImageData> image;
   RayMarcher marcher;
   std::function<double()> bound; ///< null for the voxels themselves
-  std::unique_ptr<LevelRefinement> refinement;
+  std::list<DrawnView> views;    ///< The view that was drawn last is the first.
+  std::size_t drawings = 0;      ///< The number of drawings of all views.
   DrawnLevel drawn;
 };
 

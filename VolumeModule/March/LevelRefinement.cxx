@@ -67,9 +67,9 @@ double LargestOf(const std::vector<double>& bounds)
   return bounds.empty() ? 0.0 : *std::max_element(bounds.begin(), bounds.end());
 }
 
-std::size_t BlocksOfVoxels(const BlockLevels& levels)
+std::size_t CountOf(const BlockLevels& levels, std::uint8_t kind)
 {
-  return std::size_t(std::count(levels.areVoxels.begin(), levels.areVoxels.end(), std::uint8_t(1)));
+  return std::size_t(std::count(levels.areVoxels.begin(), levels.areVoxels.end(), kind));
 }
 
 }
@@ -112,13 +112,23 @@ double BoundOfLevelAlone(const LevelInputs& inputs)
   return LargestOf(bounds);
 }
 
-LevelRefinement::LevelRefinement(
-  std::vector<double> newFingerprint, const LevelInputs& newInputs, const LevelRefinement* before)
+LevelRefinement::LevelRefinement(std::vector<double> newFingerprint, const LevelInputs& newInputs,
+  const LevelRefinement* sameLooks)
   : fingerprint(std::move(newFingerprint))
   , inputs(newInputs)
-  , bounds(std::size_t(newInputs.pixels.x) * std::size_t(newInputs.pixels.y), 1.0)
-  , looks(before && before->inputs.HasLooksOf(newInputs) ? before->looks : nullptr)
+  , looks(sameLooks ? sameLooks->looks : nullptr)
 {
+}
+
+// The blocks of voxels that an image takes at most after the one before: 128 MB are read from
+// chunks in a second or a few.
+std::size_t LevelRefinement::MostBlocksOfRound() const
+{
+  constexpr double MostBytes = 128e6;
+  const std::size_t voxelBytes =
+    ByVoxelType(this->inputs.type, [](auto voxel) { return sizeof(voxel); });
+  const double side = this->looks->CellsPerSide();
+  return std::size_t(std::max(1.0, MostBytes / (side * side * side * double(voxelBytes))));
 }
 
 void LevelRefinement::Refine(double tolerance)
@@ -128,19 +138,31 @@ void LevelRefinement::Refine(double tolerance)
   {
     return;
   }
+  ++this->rounds;
   if (!this->levels)
   {
-    this->looks = this->looks ? this->looks : std::make_shared<BlockLooks>(this->inputs.Looks());
-    this->levels = std::make_shared<BlockLevels>(this->looks->Begun());
-    this->visible = this->levels->areVoxels.size() - BlocksOfVoxels(*this->levels);
+    this->Begin();
+    if (this->bound < 1.0)
+    {
+      return; // an image with its error is shown before voxels are read
+    }
   }
   const auto next = std::make_shared<BlockLevels>(*this->levels);
   varimarch::Refine(this->inputs.SceneOf(*this->looks, false),
-    std::max(tolerance, PartPerRound * this->bound), *next, this->bounds);
+    { std::max(tolerance, PartPerRound * this->bound), this->MostBlocksOfRound() }, *next,
+    this->bounds);
   this->bound = LargestOf(this->bounds);
   this->levels = next;
-  this->refined = BlocksOfVoxels(*next) - (next->areVoxels.size() - this->visible);
-  ++this->rounds;
+  this->refined = CountOf(*next, 1);
+}
+
+void LevelRefinement::Begin()
+{
+  this->looks = this->looks ? this->looks : std::make_shared<BlockLooks>(this->inputs.Looks());
+  this->levels = std::make_shared<BlockLevels>(this->looks->Begun());
+  this->visible = CountOf(*this->levels, 0);
+  this->bounds = LevelBounds(this->inputs.SceneOf(*this->looks, false), *this->levels);
+  this->bound = LargestOf(this->bounds);
 }
 
 }

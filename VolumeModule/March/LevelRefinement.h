@@ -57,13 +57,19 @@ class LevelRefinement
 {
 public:
   /// @param fingerprint  that of the image, see ImageFingerprint
-  /// @param before  another view, perhaps of the same volume and look; may be null
+  /// @param sameLooks  that of another view, which HasLooksFor the inputs; may be null
   LevelRefinement(
-    std::vector<double> fingerprint, const LevelInputs& inputs, const LevelRefinement* before);
+    std::vector<double> fingerprint, const LevelInputs& inputs, const LevelRefinement* sameLooks);
 
   bool IsOf(const std::vector<double>& otherFingerprint) const
   {
     return this->fingerprint == otherFingerprint;
+  }
+
+  /// True if the looks of blocks are known, and are those of the inputs.
+  bool HasLooksFor(const LevelInputs& others) const
+  {
+    return this->looks && this->inputs.HasLooksOf(others);
   }
 
   /// Goes a round on, unless the bound is at most the tolerance.
@@ -78,9 +84,13 @@ public:
   std::size_t RefinedBlocks() const { return this->refined; }
 
 private:
+  /// Finds the bounds of an image that has voxels only where they are invisible.
+  void Begin();
+  std::size_t MostBlocksOfRound() const;
+
   std::vector<double> fingerprint;
   LevelInputs inputs;
-  std::vector<double> bounds;              ///< The bounds of all pixels.
+  std::vector<double> bounds;              ///< The bounds of all pixels, after the first round.
   std::shared_ptr<const BlockLooks> looks; ///< May be null before the first round.
   std::shared_ptr<const BlockLevels> levels;
   double bound = 1.0;

@@ -213,7 +213,7 @@ struct PacketLevels
   /// The level, a volume of the same type in a grid of its own; null: all blocks are drawn by
   /// voxels.
   const PacketScene* coarse;
-  const std::uint8_t* areVoxels; ///< 1 for each block that is drawn by voxels, else 0
+  const std::uint8_t* areVoxels; ///< see BlockLevels
   glm::ivec3 blockCount;
   float blockSideGrid; ///< length of a block's side, in voxels
 };

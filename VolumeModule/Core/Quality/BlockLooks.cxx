@@ -189,7 +189,7 @@ BlockLevels BlockLooks::Begun() const
   BlockLevels levels = this->coarse;
   for (std::size_t place = 0; place < levels.areVoxels.size(); ++place)
   {
-    levels.areVoxels[place] = this->OfVoxels(place).most.a > 0.0f ? 0 : 1;
+    levels.areVoxels[place] = this->OfVoxels(place).most.a > 0.0f ? 0 : BlockLevels::Nothing;
   }
   return levels;
 }

@@ -49,8 +49,7 @@ public:
   /// Every block by the coarse level.
   const BlockLevels& Coarse() const { return this->coarse; }
 
-  /// Blocks without anything visible by their voxels, which then are not read; all others by the
-  /// coarse level.
+  /// Nothing of blocks without anything visible in their voxels; all others by the coarse level.
   BlockLevels Begun() const;
 
   /// Bounds in the voxels of a block; cells without a value are clear.

@@ -182,11 +182,11 @@ double RefineRay(const BlockLooks& looks, double tolerance, std::vector<Segment>
   return bound;
 }
 
-/// Calls visit(pixel, place of its centre, [-1, 1]) for all pixels, on all cores.
+/// Calls visit(pixel, place of its centre, [-1, 1]) for the pixels of rows, on all cores.
 template <class Visit>
-void ForEachPixel(const glm::ivec2& pixels, Visit visit)
+void ForEachPixel(const glm::ivec2& pixels, int firstRow, int endRow, Visit visit)
 {
-  tbb::parallel_for(0, pixels.y,
+  tbb::parallel_for(firstRow, endRow,
     [&](int row)
     {
       for (int column = 0; column < pixels.x; ++column)
@@ -202,7 +202,7 @@ void ForEachPixel(const glm::ivec2& pixels, Visit visit)
 std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels& levels)
 {
   std::vector<double> bounds(std::size_t(scene.pixels.x) * std::size_t(scene.pixels.y));
-  ForEachPixel(scene.pixels,
+  ForEachPixel(scene.pixels, 0, scene.pixels.y,
     [&](std::size_t pixel, const glm::dvec2& place)
     {
       std::vector<Segment> segments = SegmentsOf(scene, levels, place);
@@ -211,25 +211,32 @@ std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels&
   return bounds;
 }
 
-// All rays see the levels that there were before, so that the result does not depend on their
-// order. More voxels never make a bound larger.
-void Refine(
-  const LevelBoundScene& scene, double tolerance, BlockLevels& levels, std::vector<double>& bounds)
+// All rays of some rows see the levels that there were before, so that the result does not depend
+// on their order. More voxels never make a bound larger.
+void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLevels& levels,
+  std::vector<double>& bounds)
 {
+  constexpr int RowsAtOnce = 16;
   std::vector<std::atomic<std::uint8_t>> taken(levels.areVoxels.size());
-  ForEachPixel(scene.pixels,
-    [&](std::size_t pixel, const glm::dvec2& place)
-    {
-      if (bounds[pixel] > tolerance)
+  std::size_t count = 0;
+  for (int row = 0; row < scene.pixels.y && count < round.mostBlocks; row += RowsAtOnce)
+  {
+    ForEachPixel(scene.pixels, row, std::min(row + RowsAtOnce, scene.pixels.y),
+      [&](std::size_t pixel, const glm::dvec2& place)
       {
-        std::vector<Segment> segments = SegmentsOf(scene, levels, place);
-        bounds[pixel] = RefineRay(scene.looks, tolerance, segments, taken);
-      }
-    });
-  std::transform(levels.areVoxels.begin(), levels.areVoxels.end(), taken.begin(),
-    levels.areVoxels.begin(),
-    [](std::uint8_t before, const std::atomic<std::uint8_t>& now)
-    { return std::uint8_t(before | now.load(std::memory_order_relaxed)); });
+        if (bounds[pixel] > round.tolerance)
+        {
+          std::vector<Segment> segments = SegmentsOf(scene, levels, place);
+          bounds[pixel] = RefineRay(scene.looks, round.tolerance, segments, taken);
+        }
+      });
+    for (std::size_t place = 0; place < taken.size(); ++place)
+    {
+      const bool isNew = levels.areVoxels[place] == 0 && taken[place] != 0;
+      levels.areVoxels[place] = isNew ? 1 : levels.areVoxels[place];
+      count += isNew ? 1 : 0;
+    }
+  }
 }
 
 }

@@ -7,6 +7,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace varimarch
@@ -36,13 +38,21 @@ struct LevelBoundScene
 /// The smaller of both bounds counts.
 std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels& levels);
 
+/// The aim of a round of refinement.
+struct RefinementRound
+{
+  double tolerance; ///< the bound that each pixel gets
+  /// Number of blocks after which rows of pixels wait for the next round.
+  std::size_t mostBlocks = std::numeric_limits<std::size_t>::max();
+};
+
 /// Takes voxels for those blocks of the coarse level that contribute most to the bounds, until none
-/// exceeds a tolerance. Blocks that no pixel needs stay coarse: those that are clear, of one
+/// exceeds the tolerance. Blocks that no pixel needs stay coarse: those that are clear, of one
 /// material, or hidden.
 /// @param bounds  those of all pixels, as far as they are known, or 1; receives those of the new
 /// levels
-void Refine(
-  const LevelBoundScene& scene, double tolerance, BlockLevels& levels, std::vector<double>& bounds);
+void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLevels& levels,
+  std::vector<double>& bounds);
 
 }
 

@@ -24,7 +24,7 @@ public:
   {
   }
 
-  /// See MarchPieces. The region of a piece is 1 for voxels, 0 for the coarser level.
+  /// See MarchPieces. The region of a piece is that of BlockLevels::areVoxels.
   PacketRays Next(LaneMask searching)
   {
     PacketRays piece = this->rays;
