@@ -4,6 +4,7 @@
 
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/Log.h"
+#include "Viewer/Model/VolumeRequests.h"
 #include "Viewer/Open/FileKind.h"
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
@@ -118,7 +119,8 @@ void MainWindow::Load(const VolumeSource& source, const QString& series,
 {
   const auto* const file = std::get_if<FileSource>(&source);
   this->BeginLoading(file ? QString::fromStdString(file->path) : QString());
-  this->loader.Load(source, series, labels, overlays);
+  const bool isForItself = !this->exchanges && !this->addsScan && !this->restored;
+  this->loader.Load({ source, series, labels, overlays, isForItself });
 }
 
 void MainWindow::OpenSample(const VolumeSource& sample)

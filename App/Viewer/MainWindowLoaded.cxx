@@ -33,10 +33,6 @@ void LogVolume(const LoadedVolume& volume)
 // A coarse copy, until the volume itself has been read, or for good if that is cancelled.
 void MainWindow::ShowPreview(const VolumeSource& source, const std::shared_ptr<const Study>& study)
 {
-  if (this->exchanges || this->addsScan || this->restored)
-  {
-    return;
-  }
   LogVolume(study->volume);
   this->model.Open(source, study);
   this->isPreviewed = true;

@@ -120,6 +120,21 @@ TEST_F(VoxelsOnDisk, HaveACoarseCopyUntilTheyAreReadForTheFirstTime)
   }
 }
 
+TEST_F(VoxelsOnDisk, HaveACoarseCopyInAQuarterOfTheMemoryHoweverSmallTheyAre)
+{
+  constexpr int Side = 50;
+  const std::string path = this->folder.Write("small.raw", std::string(Side * Side * Side, 'v'));
+  this->reader->SetRawDimensions(Side, Side, Side);
+  this->reader->PreviewAllowedOn();
+  for (const vtkIdType memory : { 2 * Side * Side * Side, 4 * Side * Side * Side - 1 })
+  {
+    const vtkIdType voxels = this->Read(path, memory)->GetNumberOfPoints();
+    ASSERT_TRUE(this->reader->IsPreview());
+    EXPECT_LE(voxels, memory / 4);
+    this->reader->Modified();
+  }
+}
+
 TEST_F(VoxelsOnDisk, AreReadIfTheyNeedLessThanAQuarterOfTheMemory)
 {
   const std::string path =

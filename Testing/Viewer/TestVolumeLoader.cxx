@@ -5,6 +5,7 @@
 #include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/VolumeLoader.h"
+#include "Viewer/Model/VolumeRequests.h"
 #include "Waiting.h"
 
 #include <QSignalSpy>
@@ -87,6 +88,20 @@ TEST_F(Loading, ShowsACoarseCopyBeforeAVolumeThatTakesLong)
   EXPECT_FALSE(copy->volume.isOnDisk);
   EXPECT_EQ(copy->volume.image->GetDimensions()[0], 256);
   EXPECT_FALSE(this->loaded.last()[1].value<std::shared_ptr<const Study>>()->volume.isPreview);
+}
+
+TEST_F(Loading, ReadsNoCoarseCopyThatIsOfNoUse)
+{
+  const std::string path = this->folder.Write("large.raw", "");
+  std::filesystem::resize_file(path, 512 << 20);
+  const QSignalSpy previewed(&this->loader, &VolumeLoader::Previewed);
+  ChooseMemoryGigabytes(2);
+  VolumeWish wish = { FileSource{ path, RawLayout{ { 1024, 1024, 512 } } }, {}, {}, {} };
+  wish.isForItself = false;
+  this->loader.Load(wish);
+  ASSERT_TRUE(this->loaded.wait(10 * MostMilliseconds));
+  ChooseMemoryGigabytes(0);
+  EXPECT_EQ(previewed.count(), 0);
 }
 
 TEST_F(Loading, BringsTheVolumeAndItsStatistics)

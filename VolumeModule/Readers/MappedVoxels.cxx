@@ -60,7 +60,7 @@ vtkSmartPointer<vtkImageData> MappedImage(const VoxelsInFile& voxels, ReadProgre
   std::shared_ptr<const VolumeSummary> summary = KeptSummary(summarized);
   if (!summary && voxels.mapping.preview)
   {
-    return CoarseCopy(source, layout, *voxels.mapping.preview, progress);
+    return CoarseCopy(source, layout, voxels.mapping, progress);
   }
   summary = summary ? summary : MadeSummary(summarized, progress);
   return PagedImage(std::move(file), layout, summary, mostBytes);

@@ -14,12 +14,14 @@ namespace
 using Counts = std::array<std::int64_t, 3>;
 
 /// The distances of the voxels that are copied.
-Counts StepsFor(const Counts& dimensions, std::size_t voxelBytes)
+Counts StepsFor(const Counts& dimensions, std::size_t voxelBytes, std::uint64_t mostMemoryBytes)
 {
-  constexpr double MostVoxels = 1 << 24;
+  constexpr double PartOfMemory = 0.25;
+  const double mostVoxels =
+    std::min(double(1 << 24), PartOfMemory * double(mostMemoryBytes) / double(voxelBytes));
   constexpr double MostBytes = 5e8;
   const double voxels = double(dimensions[0]) * double(dimensions[1]) * double(dimensions[2]);
-  const auto step = std::int64_t(std::ceil(std::cbrt(voxels / MostVoxels)));
+  const auto step = std::int64_t(std::ceil(std::cbrt(voxels / mostVoxels)));
   // The system reads ahead, and so most of each slice in which voxels are.
   const auto between = std::int64_t(std::ceil(voxels * double(voxelBytes) / MostBytes));
   Counts steps = { step, step, std::max(step, between) };
@@ -38,11 +40,12 @@ std::string SentenceAboutPreview(const VoxelLayout& copy, const VoxelLayout& vol
     ", was not read before; no error of the image is promised.";
 }
 
-vtkSmartPointer<vtkImageData> CoarseCopy(
-  const BrickSource& source, const VoxelLayout& layout, PreviewWish& wish, ReadProgress& progress)
+vtkSmartPointer<vtkImageData> CoarseCopy(const BrickSource& source, const VoxelLayout& layout,
+  const Mapping& mapping, ReadProgress& progress)
 {
   const auto voxelBytes = std::size_t(vtkDataArray::GetDataTypeSize(layout.scalarType));
-  const Counts steps = StepsFor(layout.dimensions, voxelBytes);
+  const Counts steps = StepsFor(layout.dimensions, voxelBytes, mapping.mostMemoryBytes);
+  PreviewWish& wish = *mapping.preview;
   VoxelLayout ofCopy = layout;
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -78,8 +78,12 @@ VolumeLoader::~VolumeLoader()
 void VolumeLoader::Load(const VolumeSource& source, const QString& series,
   const std::optional<SceneLabels>& labels, const std::vector<OverlaidVolume>& overlays)
 {
+  this->Load({ source, series, labels, overlays });
+}
+
+void VolumeLoader::Load(const VolumeWish& wish)
+{
   auto request = std::make_shared<Task>();
-  const VolumeWish wish = { source, series, labels, overlays };
   request->read = [wish, task = request.get()](const LoadObserver& observe)
   {
     return ReadVolume(wish, observe,

@@ -17,6 +17,8 @@ class QThread;
 namespace varimarch
 {
 
+struct VolumeWish;
+
 /// Reads volumes and segmentations in a thread, one at a time; a new request replaces the last one.
 /// Each request ends with exactly one of the signals Loaded, LabelsLoaded, PossibleLabelsLoaded,
 /// SeriesFound, Failed and Cancelled, unless the loader is destroyed first. A thread that does not
@@ -37,6 +39,8 @@ public:
   void Load(const VolumeSource& source, const QString& series = {},
     const std::optional<SceneLabels>& labels = {},
     const std::vector<OverlaidVolume>& overlays = {});
+
+  void Load(const VolumeWish& wish);
 
   /// Loads labels over a scan.
   void LoadLabels(const SceneLabels& labels, std::shared_ptr<const Study> scan);

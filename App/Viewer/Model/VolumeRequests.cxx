@@ -143,7 +143,7 @@ Found ReadVolume(const VolumeWish& wish, const LoadObserver& observe, const Show
       file->series = chosen->uid;
     }
   }
-  const bool isAlone = !wish.labels && wish.overlays.empty();
+  const bool isAlone = wish.isForItself && !wish.labels && wish.overlays.empty();
   found.study = StudyOf(ReadShowing(found.source, observe, isAlone ? show : ShowPreview()),
     file ? file->path : std::string(), wish.labels, observe);
   if (!wish.overlays.empty())

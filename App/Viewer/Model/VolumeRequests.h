@@ -32,6 +32,7 @@ struct VolumeWish
   QString digest; ///< digest of the DICOM series; empty if there is a choice
   std::optional<SceneLabels> labels;
   std::vector<OverlaidVolume> overlays;
+  bool isForItself = true; ///< False if a coarse copy of the volume is of no use.
 };
 
 /// Receives a coarse copy of a volume that takes long to be opened for the first time.
