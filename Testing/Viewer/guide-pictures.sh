@@ -34,5 +34,7 @@ walk send 1280x720-en-light
 keep 1280x720-en-light send-dialog send
 walk pet 1280x720-de-light
 keep 1280x720-de-light pet pet-de
+walk bone 1280x720-es-light
+keep 1280x720-es-light bone bone-es
 walk open-cd 1280x720-en-dark
 keep 1280x720-en-dark open-cd open-cd-dark
