@@ -19,6 +19,12 @@ keep()
     "PNG8:$name"
 }
 
+# keepHalf WALK PICTURE NAME keeps a picture of a large screen at half its size.
+keepHalf()
+{
+  convert "$walks/$1/$2.png" -strip -resize 50% -quality 60 "$images/task-$3.jpg"
+}
+
 # walk TASK WALK does a task.
 walk()
 {
@@ -36,5 +42,7 @@ walk pet 1280x720-de-light
 keep 1280x720-de-light pet pet-de
 walk bone 1280x720-es-light
 keep 1280x720-es-light bone bone-es
+walk two-times 3840x2160-de-dark
+keepHalf 3840x2160-de-dark two-times two-times-large
 walk open-cd 1280x720-en-dark
 keep 1280x720-en-dark open-cd open-cd-dark
