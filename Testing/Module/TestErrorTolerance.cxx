@@ -294,6 +294,8 @@ TEST(ErrorTolerance, IsThatOfColoursInTheWindow)
     scene.mapper->SetErrorTolerance(1.0 / 64.0);
     (scene.*draw)();
     const double distance = scene.mapper->GetUsedSampleDistance();
+    scene.mapper->SetFinalColorWindow(0.9f);
+    (scene.*draw)();
     scene.mapper->SetFinalColorWindow(0.2f); // multiplies errors by five
     (scene.*draw)();
     EXPECT_LT(scene.mapper->GetUsedSampleDistance(), 0.8 * distance);

@@ -40,7 +40,9 @@ std::vector<double> SceneInputsOf(const VolumeMarch& march)
   std::vector<double> inputs = march.frame.fingerprint;
   inputs.insert(inputs.end(),
     { double(march.plan.viewport.width), double(march.plan.viewport.height),
-      double(march.settings.occlusion), double(march.frame.levelRound) });
+      double(march.settings.occlusion), double(march.frame.levelRound),
+      march.frame.image.windowScaleBias.x, march.frame.image.windowScaleBias.y,
+      march.frame.span.firstDistanceMm });
   return inputs;
 }
 

@@ -119,7 +119,8 @@ std::vector<double> KeyOfRanges(
   const VoxelComponent& component = values.components[index];
   const ValueRange& resolved = values.texels[index].resolved;
   return { double(voxels.time), double(reinterpret_cast<std::uintptr_t>(component.array)),
-    double(component.index), resolved.lower, resolved.upper };
+    double(component.index), double(values.dimensions.x), double(values.dimensions.y),
+    double(values.dimensions.z), resolved.lower, resolved.upper };
 }
 
 // If a smaller part of the bricks can be skipped, testing bricks costs more than it saves.
