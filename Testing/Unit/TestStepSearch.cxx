@@ -202,13 +202,14 @@ TEST(StepSearch, ItNeedsTwoDrawingsWhereAnEarlierDistanceStillHolds)
 {
   int drawings = 0;
   const PowerLaw law{ 0.01, 2.0, &drawings };
-  const FoundSteps found = FindSampleDistance(law, Limit, Range, 1.0);
-  const EarlierSteps earlier{ found.choice.sampleDistance, found.order };
+  const double first = FindSampleDistance(law, Limit, Range, 1.0).choice.sampleDistance;
+  const double second = FindSampleDistanceFrom(first, law, Limit, Range, 1.0).choice.sampleDistance;
   drawings = 0;
-  const FoundSteps again = FindSampleDistanceFrom(earlier, law, Limit, Range, 1.0);
+  const StepChoice third = FindSampleDistanceFrom(second, law, Limit, Range, 1.0).choice;
   EXPECT_EQ(drawings, 2);
-  EXPECT_EQ(again.choice.sampleDistance, found.choice.sampleDistance);
-  EXPECT_TRUE(again.choice.KeepsLimit());
+  EXPECT_EQ(third.sampleDistance, second);
+  EXPECT_GT(second, 0.8 * first);
+  EXPECT_TRUE(third.KeepsLimit());
 }
 
 TEST(StepSearch, AnEarlierDistanceIsNotTakenWhereTheErrorIsAnother)
@@ -217,11 +218,23 @@ TEST(StepSearch, AnEarlierDistanceIsNotTakenWhereTheErrorIsAnother)
   for (const double factor : { 0.0005, 0.003, 0.03, 0.5 })
   {
     const PowerLaw law{ factor, 2.0, &drawings };
-    const StepChoice choice = FindSampleDistanceFrom({ 1.0, 2.0 }, law, Limit, Range, 1.0).choice;
+    const StepChoice choice = FindSampleDistanceFrom(1.0, law, Limit, Range, 1.0).choice;
     const double error = factor * choice.sampleDistance * choice.sampleDistance;
     EXPECT_TRUE(choice.KeepsLimit());
     EXPECT_LE(error, 1.2 * Limit.percentile999) << factor;
     EXPECT_TRUE(error > 0.7 * Limit.percentile999 || choice.sampleDistance == Range.coarsest);
+  }
+}
+
+// An opaque surface appears, at which the error falls more slowly than in the image before.
+TEST(StepSearch, AnEarlierDistanceKeepsTheLimitWhereTheErrorFallsSlowly)
+{
+  int drawings = 0;
+  for (const double factor : { 0.0105, 0.0115, 0.0125, 0.0135 })
+  {
+    const PowerLaw law{ factor, 1.0, &drawings };
+    const StepChoice choice = FindSampleDistanceFrom(1.0, law, Limit, Range, 1.0).choice;
+    EXPECT_LE(factor * choice.sampleDistance, 1.16 * Limit.percentile999) << factor;
   }
 }
 
@@ -231,7 +244,7 @@ TEST(StepSearch, AnEarlierLongDistanceDoesNotHideAFeatureThatASearchSees)
   constexpr double SeenFrom = 0.5;
   const auto draw = [&](double distance)
   { return std::vector<float>(4 * 100, distance < SeenFrom ? 0.75f : 0.25f); };
-  const StepChoice choice = FindSampleDistanceFrom({ 4.0, 1.6 }, draw, Limit, Range, 1.0).choice;
+  const StepChoice choice = FindSampleDistanceFrom(4.0, draw, Limit, Range, 1.0).choice;
   EXPECT_TRUE(choice.KeepsLimit());
   EXPECT_LT(choice.sampleDistance, SeenFrom);
 }

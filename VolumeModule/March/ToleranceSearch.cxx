@@ -253,18 +253,18 @@ FoundSteps ToleranceSearch::Trial::Find(
   return FindSampleDistance(drawAt, this->limit, RangeOf(this->march), firstMm, exact);
 }
 
-FoundSteps ToleranceSearch::Trial::FindFrom(Integration integration, const EarlierSteps& earlier)
+FoundSteps ToleranceSearch::Trial::FindFrom(Integration integration, double earlierMm)
 {
   const auto drawAt = [&](double sampleDistanceMm)
   { return this->Draw(integration, sampleDistanceMm); };
   return FindSampleDistanceFrom(
-    earlier, drawAt, this->limit, RangeOf(this->march), SmallestSpacingMm(this->march.frame));
+    earlierMm, drawAt, this->limit, RangeOf(this->march), SmallestSpacingMm(this->march.frame));
 }
 
 ToleranceChoice ToleranceSearch::ChoiceOf(
   Trial& trial, const ToleranceInputs& inputs, Integration integration, const FoundSteps& found)
 {
-  const ToleranceChoice choice{ inputs, integration, found.choice, found.order };
+  const ToleranceChoice choice{ inputs, integration, found.choice };
   return WithMissed(choice, MissedOfLimit(trial, choice), trial.limit);
 }
 
@@ -278,15 +278,15 @@ std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
   {
     const FoundSteps found =
       trial.Find(this->choice->integration, SmallestSpacingMm(trial.march.frame));
-    return WithMissed({ inputs, this->choice->integration, found.choice, found.order },
+    return WithMissed({ inputs, this->choice->integration, found.choice },
       this->choice->missedOfLimit, trial.limit);
   }
   if (!hasRule || !this->isSeries)
   {
     return std::nullopt;
   }
-  const FoundSteps found = trial.FindFrom(
-    this->choice->integration, { this->choice->step.sampleDistance, this->choice->order });
+  const FoundSteps found =
+    trial.FindFrom(this->choice->integration, this->choice->step.sampleDistance);
   const ToleranceChoice made = ChoiceOf(trial, inputs, this->choice->integration, found);
   const bool isNoWorse = made.step.KeepsLimit() || !this->choice->step.KeepsLimit();
   return isNoWorse ? std::optional<ToleranceChoice>(made) : std::nullopt;

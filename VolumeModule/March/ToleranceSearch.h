@@ -20,7 +20,6 @@ struct ToleranceChoice
   ToleranceInputs inputs; ///< The inputs of the search that found it.
   Integration integration;
   StepChoice step;
-  double order = 0.0;         ///< See FoundSteps.
   double missedOfLimit = 0.0; ///< The error that no sample distance shows, in parts of the limit.
 };
 
@@ -64,7 +63,7 @@ private:
     std::vector<float> DrawWithSmallTable(double sampleDistanceMm);
     /// @param exact  see FindSampleDistance
     FoundSteps Find(Integration integration, double firstMm, const std::vector<float>& exact = {});
-    FoundSteps FindFrom(Integration integration, const EarlierSteps& earlier);
+    FoundSteps FindFrom(Integration integration, double earlierMm);
 
   private:
     const std::vector<float>& DrawOnce(bool isLit, Integration integration, double distanceMm);

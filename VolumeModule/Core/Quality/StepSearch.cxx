@@ -18,6 +18,8 @@ namespace
 // Assumed convergence order. The rules are second order, but trilinear data has kinks at cell
 // faces.
 constexpr double SupposedOrder = 1.6;
+// The order at surfaces that are all but opaque.
+constexpr double OrderAtOpaqueSurfaces = 1.0;
 // Bounds of the estimated order.
 constexpr double LeastOrder = 0.7;
 constexpr double MostOrder = 3.0;
@@ -93,10 +95,11 @@ public:
     return this->FindFurther();
   }
 
-  FoundSteps FindFrom(const EarlierSteps& earlier)
+  FoundSteps FindFrom(double earlier)
   {
-    this->order = earlier.order;
-    const Trial trial = this->Try(this->InRange(earlier.sampleDistance));
+    this->order = OrderAtOpaqueSurfaces; // no other distance of this image has told its order
+    const Trial trial = this->Try(this->InRange(earlier));
+    this->order = SupposedOrder;
     if (trial.ofLimit >= LeastOfEarlier && trial.ofLimit <= MostOfLimit)
     {
       return this->Found(trial);
@@ -136,7 +139,7 @@ private:
   {
     const double ofLimit =
       trial.ofLimit <= MostOfLimit ? std::min(trial.ofLimit, 1.0) : trial.ofLimit;
-    return { { trial.distance, trial.percentile999, ofLimit }, this->order,
+    return { { trial.distance, trial.percentile999, ofLimit },
       this->exact.empty() ? this->finer.begin()->second : this->exact };
   }
 
@@ -170,7 +173,6 @@ private:
     };
     // If the error falls more slowly than assumed, the finer distance has removed less of it.
     this->UpdateOrder(trialOf(SupposedOrder));
-    constexpr double OrderAtOpaqueSurfaces = 1.0;
     return trialOf(std::clamp(this->order, OrderAtOpaqueSurfaces, SupposedOrder));
   }
 
@@ -287,7 +289,7 @@ FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit
   return Search(draw, limit, range, first, exact).Find();
 }
 
-FoundSteps FindSampleDistanceFrom(const EarlierSteps& earlier, const SampleDrawing& draw,
+FoundSteps FindSampleDistanceFrom(double earlier, const SampleDrawing& draw,
   const ErrorLimit& limit, const StepRange& range, double first)
 {
   return Search(draw, limit, range, first, {}).FindFrom(earlier);

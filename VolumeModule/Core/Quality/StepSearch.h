@@ -28,7 +28,6 @@ struct StepChoice
 struct FoundSteps
 {
   StepChoice choice;
-  double order; ///< the power of the distance that the error grows by, as it was estimated last
   /// The image that others were compared with; its error is a small part of a kept limit.
   std::vector<float> finest;
 };
@@ -43,13 +42,6 @@ struct StepRange
 {
   double coarsest;
   double finest; ///< at most the coarsest
-};
-
-/// The result of an earlier search for an image that was similar.
-struct EarlierSteps
-{
-  double sampleDistance;
-  double order; ///< see FoundSteps
 };
 
 /// Draws some pixels of an image, always the same ones, at a sample distance; returns premultiplied
@@ -69,10 +61,11 @@ using SampleDrawing = std::function<std::vector<float>(double sampleDistance)>;
 FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit,
   const StepRange& range, double first, const std::vector<float>& exact = {});
 
-/// The same, beginning at the distance of an earlier search, which needs two drawings if its error
-/// is near the limit here too. No image is compared with a coarser one than in a search from
-/// `first`, so that a feature which that search sees is not missed.
-FoundSteps FindSampleDistanceFrom(const EarlierSteps& earlier, const SampleDrawing& draw,
+/// The same, beginning at the distance of a search for a similar image. It needs two drawings if
+/// the error there is near the limit even if it should fall as slowly as at opaque surfaces. No
+/// image is compared with a coarser one than in a search from `first`, so that a feature which that
+/// search sees is not missed.
+FoundSteps FindSampleDistanceFrom(double earlier, const SampleDrawing& draw,
   const ErrorLimit& limit, const StepRange& range, double first);
 
 /// Difference between two images, as a fraction of the limit for the 99.9th percentile.
