@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace varimarch
 {
@@ -160,14 +161,35 @@ struct SummingUp
   const int* extent;
   ValueSums sums{ 0.0 };
 
+  std::optional<glm::ivec3> VoxelInBox() const
+  {
+    for (int k = this->slices.first; k <= this->slices.last; ++k)
+    {
+      for (int j = this->rows.first; j <= this->rows.last; ++j)
+      {
+        const IndexRange row = this->box.InRow(j, k);
+        if (row.first <= row.last)
+        {
+          return glm::ivec3(row.first, j, k);
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
   template <class Array>
   void operator()(Array* array)
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
     const auto valueAt = [&](int i, int j, int k)
     { return double(tuples[NumberOf(i, j, k, this->extent)][0]); };
-    // A value of the volume as the offset keeps the digits of large values.
-    const ValueSums none{ valueAt(this->extent[0], this->rows.first, this->slices.first) };
+    // A value of the box as the offset keeps the digits of large values.
+    const std::optional<glm::ivec3> inside = this->VoxelInBox();
+    if (!inside)
+    {
+      return;
+    }
+    const ValueSums none{ valueAt(inside->x, inside->y, inside->z) };
     const auto addPart = [&](const tbb::blocked_range2d<int>& part, ValueSums partial)
     {
       for (int k = part.rows().begin(); k != part.rows().end(); ++k)

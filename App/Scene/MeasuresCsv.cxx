@@ -80,8 +80,12 @@ std::string CsvOf(const std::vector<Measure>& measures, const LoadedVolume& volu
     {
       if (const auto statistics = StatisticsOver(measure, volume.image, other.image))
       {
-        WriteLine(text, number, measure,
-          { {}, {}, values.areaMm2, values.volumeMm3, InUnits(*statistics, other.volume) }, other);
+        MeasureValues ofOther = { {}, {}, values.areaMm2, {}, InUnits(*statistics, other.volume) };
+        if (values.volumeMm3)
+        {
+          ofOther.volumeMm3 = statistics->volumeMm3;
+        }
+        WriteLine(text, number, measure, ofOther, other);
       }
     }
   }

@@ -213,6 +213,7 @@ TEST(MeasureTable, HasALineForEachVolumeOverTheFirst)
   volume.image = Ramp(VTK_SHORT, 0.0);
   LoadedVolume pet = volume;
   pet.image = Ramp(VTK_SHORT, 100.0);
+  pet.image->SetSpacing(1.0, 1.0, 3.0);
   pet.uptakeValueFactor = 0.5;
   const std::string table = CsvOf({ { MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } },
                                     { MeasureKind::Box, { { 2, 2, 3 }, { 5, 6, 6 } } } },
@@ -220,7 +221,7 @@ TEST(MeasureTable, HasALineForEachVolumeOverTheFirst)
   EXPECT_EQ(table.substr(table.find('\n') + 1),
     "1,distance,\"\",5,,,,,,,,,,\"0 0 0; 3 4 0\",1\n"
     "2,box,\"\",,,,144,24,3.5,1.11803399,2,5,,\"2 2 3; 5 6 6\",1\n"
-    "2,box,\"\",,,,144,24,51.75,0.559016994,51,52.5,SUV,\"2 2 3; 5 6 6\",2\n");
+    "2,box,\"\",,,,120,40,51.75,0.559016994,51,52.5,SUV,\"2 2 3; 5 6 6\",2\n");
 }
 
 TEST(RegionStatistics, CountTheVoxelsInTheBox)
@@ -244,6 +245,21 @@ TEST(RegionStatistics, KeepTheirDigitsWithLargeValues)
   EXPECT_EQ(found.voxels, 1000);
   EXPECT_NEAR(found.mean, 1e9 + 4.5, 1e-6);
   EXPECT_NEAR(found.standardDeviation, std::sqrt(8.25), 1e-6);
+}
+
+TEST(RegionStatistics, KeepTheirDigitsBesideAFillValue)
+{
+  const auto image = Ramp(VTK_DOUBLE, 0.0);
+  for (int j = 0; j < 10; ++j)
+  {
+    for (int k = 0; k < 10; ++k)
+    {
+      image->SetScalarComponentFromDouble(0, j, k, 0, 1e30);
+    }
+  }
+  const RegionStatistics found = StatisticsIn({ 2, 4, 6 }, { 7, 9, 12 }, image);
+  EXPECT_DOUBLE_EQ(found.mean, 4.5);
+  EXPECT_DOUBLE_EQ(found.standardDeviation, std::sqrt(35.0 / 12.0));
 }
 
 TEST(RegionStatistics, LeaveOutValuesThatAreNotFinite)
