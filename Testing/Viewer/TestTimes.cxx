@@ -19,6 +19,8 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 #include <QSlider>
 #include <QToolButton>
 
@@ -201,9 +203,13 @@ TEST_F(Times, OfAddedScansFollowIfThereAreAsMany)
     return ValueAt(image, MiddleOf(image)).value_or(-1.0);
   };
   EXPECT_EQ(shown(), ValueAtTime(0));
+  auto* const list = this->window.findChild<QListWidget*>("volumes");
+  list->editItem(list->item(1));
   this->Slider()->setValue(4);
   ASSERT_TRUE(this->Awaits(4));
   EXPECT_TRUE(QTest::qWaitFor([&] { return shown() == ValueAtTime(4); }, MostMilliseconds));
+  EXPECT_EQ(this->window.findChild<QLabel*>("timeText")->text().count("loading"), 0);
+  EXPECT_NE(list->findChild<QLineEdit*>(), nullptr) << "the name that is being typed";
   EXPECT_EQ(std::get<FileSource>(overlays()[0].source).time, 4) << "for sessions";
   EXPECT_EQ(StudyTimes(this->Model()->CurrentScene(), this->Model()->CurrentStudy())
               .Read(2)

@@ -86,6 +86,11 @@ TEST_F(VolumeList, ShowsHidesAndRenames)
   EXPECT_FALSE(this->Overlays()[0].visible);
   this->List()->item(1)->setText("before therapy");
   EXPECT_EQ(this->Overlays()[0].name, "before therapy");
+  this->List()->item(1)->setText("");
+  EXPECT_EQ(this->List()->item(1)->text(), "pet") << "the folder of the scan";
+  this->List()->item(1)->setText("");
+  EXPECT_EQ(this->List()->item(1)->text(), "pet");
+  this->model.History()->undo();
   this->model.History()->undo();
   this->model.History()->undo();
   EXPECT_TRUE(this->Overlays()[0].visible);

@@ -20,6 +20,11 @@ OverlayTimes::OverlayTimes(SceneModel* model, QObject* parent)
 
 void OverlayTimes::Follow(ScenePart part)
 {
+  if (part == ScenePart::Volume)
+  {
+    this->task.Cancel(); // it reads for a scan that is closed, by a reader of its own
+    this->readers.clear();
+  }
   if (part == ScenePart::Volume || part == ScenePart::Time)
   {
     this->failed.clear(); // they are tried again
@@ -94,7 +99,8 @@ void OverlayTimes::ReadNext()
     },
     [this, found, study]
     {
-      if (const std::optional<int> now = this->model->VolumeOf(*study))
+      const std::optional<int> now = this->model->VolumeOf(*study);
+      if (now && found->times.current == this->model->ChosenTime())
       {
         this->model->ShowTime(*found, *now);
       }

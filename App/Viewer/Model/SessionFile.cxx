@@ -76,6 +76,7 @@ QString WorkText(const Scene& scene, const Study& study)
     if (auto* const file = std::get_if<FileSource>(&overlay.source))
     {
       file->time = 0; // to look at another time is no work
+      file->timeSeconds.reset();
     }
   }
   if (!IsBuiltInLook(scene.look, study.statistics))

@@ -45,7 +45,12 @@ TimeBar::TimeBar(SceneModel* model, const TimeSeries* series, QWidget* parent)
   this->timer.setTimerType(Qt::PreciseTimer);
   connect(&this->timer, &QTimer::timeout, this, &TimeBar::Advance);
   connect(model, &SceneModel::Changed, this, &TimeBar::Update);
-  connect(series, &TimeSeries::Failed, this->play, [this] { this->play->setChecked(false); });
+  connect(series, &TimeSeries::Failed, this,
+    [this]
+    {
+      this->play->setChecked(false);
+      this->ShowTime();
+    });
   this->hide();
 }
 
@@ -118,7 +123,8 @@ void TimeBar::Update(ScenePart part)
   {
     this->TakeVolume();
   }
-  if (part == ScenePart::Volume || part == ScenePart::Time || part == ScenePart::Voxels)
+  if (part == ScenePart::Volume || part == ScenePart::Time || part == ScenePart::Voxels ||
+    part == ScenePart::Overlays)
   {
     this->ShowTime();
   }

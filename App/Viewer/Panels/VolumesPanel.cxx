@@ -46,6 +46,16 @@ QDoubleSpinBox* NewNumber(const QString& name, double largest, const QString& su
   return box;
 }
 
+// A text that is being typed stays, unless another number is shown.
+void ShowNumber(QDoubleSpinBox* box, double number)
+{
+  const QSignalBlocker quiet(box);
+  if (box->textFromValue(number) != box->textFromValue(box->value()))
+  {
+    box->setValue(number);
+  }
+}
+
 }
 
 QString VolumesPanel::TitleOf(const Scene& scene, int volume)
@@ -207,22 +217,33 @@ void VolumesPanel::ShowRows()
 {
   const Scene& scene = this->model->CurrentScene();
   const QSignalBlocker quiet(this->list);
-  this->list->clear();
-  const QString modality = QString::fromStdString(this->model->CurrentStudy()->volume.modality);
-  for (int volume = 0; volume < VolumeCount(scene); ++volume)
+  while (this->list->count() > VolumeCount(scene))
   {
-    auto* const item = new QListWidgetItem(TitleOf(scene, volume), this->list);
-    if (volume == 0)
-    {
-      item->setText((modality + ' ' + item->text()).trimmed());
-    }
-    else
-    {
-      item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
-      item->setCheckState(scene.overlays[volume - 1].visible ? Qt::Checked : Qt::Unchecked);
-    }
+    delete this->list->takeItem(this->list->count() - 1);
+  }
+  const QString modality = QString::fromStdString(this->model->CurrentStudy()->volume.modality);
+  this->ShowRow(0, (modality + ' ' + TitleOf(scene, 0)).trimmed());
+  for (int volume = 1; volume < VolumeCount(scene); ++volume)
+  {
+    this->ShowRow(volume, TitleOf(scene, volume));
+    QListWidgetItem* const item = this->list->item(volume);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
+    item->setCheckState(scene.overlays[volume - 1].visible ? Qt::Checked : Qt::Unchecked);
   }
   this->list->setCurrentRow(this->model->EditedVolume());
+}
+
+// Rows that stay keep the name that is being typed in them.
+void VolumesPanel::ShowRow(int volume, const QString& title)
+{
+  if (volume == this->list->count())
+  {
+    this->list->addItem(title);
+  }
+  if (this->list->item(volume)->text() != title)
+  {
+    this->list->item(volume)->setText(title);
+  }
 }
 
 void VolumesPanel::ShowSelected()
@@ -247,10 +268,8 @@ void VolumesPanel::ShowSelected()
   this->colors->setCurrentIndex(int(overlay.sliceColors));
   for (int axis = 0; axis < 3; ++axis)
   {
-    const QSignalBlocker quietMove(this->moves[axis]);
-    const QSignalBlocker quietTurn(this->turns[axis]);
-    this->moves[axis]->setValue(overlay.placement.moveMm[axis]);
-    this->turns[axis]->setValue(overlay.placement.turnDegrees[axis]);
+    ShowNumber(this->moves[axis], overlay.placement.moveMm[axis]);
+    ShowNumber(this->turns[axis], overlay.placement.turnDegrees[axis]);
   }
 }
 
@@ -274,6 +293,7 @@ void VolumesPanel::TakeItem(const QListWidgetItem* item)
       scene.overlays[changed].visible = isShown;
       scene.overlays[changed].name = name;
     });
+  this->ShowRows(); // the title may be another than the text that was typed
 }
 
 // The other numbers of a place keep the digits that the panel does not show.

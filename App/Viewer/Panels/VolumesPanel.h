@@ -45,6 +45,7 @@ private:
   QWidget* MakePlace();
   void Show(ScenePart part);
   void ShowRows();
+  void ShowRow(int volume, const QString& title);
   void ShowSelected();
   int Selected() const; ///< index of the selected overlay; -1 for the first volume
   void TakeItem(const QListWidgetItem* item);
