@@ -2,6 +2,7 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/Panels/KeyImagesBox.h"
 #include "Viewer/Panels/TimeBar.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
@@ -69,7 +70,7 @@ void MainWindow::ExportTurntable()
     [this](const QString& path, const std::function<bool(double)>& onProgress)
     {
       this->model.CountSegments();
-      PictureMaker maker(this->model.CurrentScene(), *this->model.CurrentStudy(),
+      PictureMaker maker(this->model.CurrentScene(), *ShownStudy(this->model),
         { this->view->Ours()->size(), false, true });
       return WriteTurntable(maker, Pictures, path, onProgress);
     });
@@ -101,7 +102,6 @@ void MainWindow::ExportReport()
   try
   {
     const WaitCursor cursor;
-    this->model.CountSegments();
     WriteScanReport(&this->model, path);
     this->ShowSaved(path);
   }

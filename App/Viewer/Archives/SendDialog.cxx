@@ -6,6 +6,7 @@
 #include "Readers/PrivateFolder.h"
 #include "Scene/ImageFiles.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/VtkPictures.h"
 #include "Viewer/WaitCursor.h"
@@ -148,10 +149,10 @@ void SendDialog::Send()
     const WaitCursor cursor;
     this->model->CountSegments();
     const Scene scene = this->model->CurrentScene();
-    PictureMaker maker(
-      scene, *this->model->CurrentStudy(), { this->pixels, false, this->overlay->isChecked() });
+    const auto study = ShownStudy(*this->model);
+    PictureMaker maker(scene, *study, { this->pixels, false, this->overlay->isChecked() });
     Parcel parcel = { BytesOfImage(maker.Draw()), { scene.render, MapperKind::Varimarch }, {}, {},
-      this->model->CurrentStudy()->volume };
+      study->volume };
     parcel.origin.isPreview = parcel.volume.isPreview;
     parcel.volume.image = SharedCopy(parcel.volume);
     if (const auto* const file = std::get_if<FileSource>(&scene.volume);

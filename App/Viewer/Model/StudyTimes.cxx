@@ -2,6 +2,7 @@
 
 #include "Scene/SceneVolumes.h"
 #include "Viewer/Model/MemoryLimit.h"
+#include "Viewer/Model/SceneModel.h"
 
 #include <utility>
 
@@ -34,6 +35,11 @@ std::shared_ptr<const Study> StudyTimes::Read(int time, const LoadObserver& obse
     }
   }
   return this->study;
+}
+
+std::shared_ptr<const Study> ShownStudy(const SceneModel& model)
+{
+  return StudyTimes(model.CurrentScene(), model.CurrentStudy()).Read(model.ChosenTime());
 }
 
 }

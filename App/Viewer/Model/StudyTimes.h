@@ -10,6 +10,7 @@ namespace varimarch
 {
 
 struct Scene;
+class SceneModel;
 
 /// Reads the times of a scan for images in files, together with those of the volumes over it that
 /// follow them.
@@ -27,6 +28,11 @@ private:
   std::shared_ptr<const Study> study;               ///< at the time that was read last
   std::vector<std::unique_ptr<TimeReader>> readers; ///< one per volume; null if it stays
 };
+
+/// The study of a model at the time that its scene names, for images and numbers in files: the
+/// window may still show the time before.
+/// @throws std::runtime_error with one sentence
+std::shared_ptr<const Study> ShownStudy(const SceneModel& model);
 
 }
 

@@ -7,6 +7,7 @@
 #include "Scene/OutputFile.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/SaveDialog.h"
 #include "Viewer/WaitCursor.h"
 
@@ -197,7 +198,7 @@ void MeasuresPanel::Save()
     else
     {
       const Scene& scene = this->model->CurrentScene();
-      const auto study = this->model->CurrentStudy();
+      const auto study = ShownStudy(*this->model);
       WriteFileWhole(
         path.toStdString(), CsvOf(scene.measures, study->volume, VisibleOverlays(scene, *study)));
     }

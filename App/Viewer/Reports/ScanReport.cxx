@@ -200,22 +200,11 @@ Scene MarkedScene(const Scene& scene, const KeyImage& image, const LoadedTimes& 
   return marked;
 }
 
-// The study at the time of a key image, which is read if it is another one.
-std::shared_ptr<const Study> MarkedStudy(const SceneModel& model, const KeyImage& image)
+// The study is that of the time of the key image.
+QImage PictureOf(
+  const KeyImage& image, const Scene& shown, const std::shared_ptr<const Study>& study)
 {
-  const std::shared_ptr<const Study> study = model.CurrentStudy();
-  const LoadedTimes& times = study->volume.times;
-  if (!IsAtTime(image, times) || *image.time == times.current)
-  {
-    return study;
-  }
-  return StudyTimes(model.CurrentScene(), study).Read(*image.time);
-}
-
-QImage PictureOf(const KeyImage& image, SceneModel* model)
-{
-  const std::shared_ptr<const Study> study = MarkedStudy(*model, image);
-  const Scene scene = MarkedScene(model->CurrentScene(), image, study->volume.times);
+  const Scene scene = MarkedScene(shown, image, study->volume.times);
   if (image.view == KeyView::Volume)
   {
     return PictureMaker(scene, *study, { PictureSize, false, true }).Draw();
@@ -235,9 +224,14 @@ QString NameOfKeyImage(std::size_t number)
 void AddKeyImages(QTextDocument& document, SceneModel* model)
 {
   std::size_t number = 0;
-  for (const KeyImage& image : model->CurrentScene().keyImages)
+  const Scene& scene = model->CurrentScene();
+  const int shownTime = model->ChosenTime();
+  StudyTimes times(scene, model->CurrentStudy());
+  for (const KeyImage& image : scene.keyImages)
   {
-    AddPicture(document, NameOfKeyImage(++number), PictureOf(image, model));
+    const bool hasTime = IsAtTime(image, model->CurrentStudy()->volume.times);
+    const auto study = times.Read(hasTime ? *image.time : shownTime);
+    AddPicture(document, NameOfKeyImage(++number), PictureOf(image, scene, study));
   }
 }
 
@@ -278,14 +272,16 @@ QString ScanReportHtml(const Scene& scene, const Study& study)
 void WriteScanReport(SceneModel* model, const QString& path)
 {
   SceneModel shown;
-  ShowIn(shown, WithoutNames(model->CurrentScene()), model->CurrentStudy());
+  ShowIn(shown, WithoutNames(model->CurrentScene()), ShownStudy(*model));
+  shown.CountSegments();
   const Scene& scene = shown.CurrentScene();
+  const std::shared_ptr<const Study> study = shown.CurrentStudy();
   QTextDocument document;
   AddSlices(document, &shown);
   AddKeyImages(document, &shown);
-  PictureMaker maker(scene, *model->CurrentStudy(), { PictureSize, false, true });
+  PictureMaker maker(scene, *study, { PictureSize, false, true });
   AddPicture(document, "picture", maker.Draw());
-  document.setHtml(ScanReportHtml(scene, *model->CurrentStudy()));
+  document.setHtml(ScanReportHtml(scene, *study));
   WritePdf(document, ReportTexts::tr("Volume report"), path);
 }
 

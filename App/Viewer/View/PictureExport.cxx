@@ -4,6 +4,7 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/SaveDialog.h"
 #include "Viewer/View/CurrentContext.h"
 #include "Viewer/View/Overlay.h"
@@ -283,7 +284,7 @@ void ExportDialog::Write()
     this->transparent->isChecked() && PictureFormatOf(file) == PictureFormat::Png;
   this->model->CountSegments();
   const Scene scene = this->model->CurrentScene();
-  const auto study = this->model->CurrentStudy();
+  const auto study = ShownStudy(*this->model);
   PictureMaker maker(scene, *study,
     { { this->width->value(), this->height->value() }, isTransparent, this->overlay->isChecked() });
   const QImage picture = maker.Draw([this](double part) { return this->GoesOn(part); });
