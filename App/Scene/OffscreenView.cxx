@@ -77,16 +77,14 @@ vtkSmartPointer<vtkImageData> OffscreenView::FloatImage(const std::function<bool
   auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->pipeline.Mapper());
   if (ours && ours->GetLevelOfDetail() == vtkVariationFieldVolumeMapper::RefinedLevel)
   {
-    bool goesOn = true;
+    const auto isWanted = [&] { return !onBand || onBand(0.0); };
     do
     {
-      this->Render();
-      goesOn = !onBand || onBand(0.0);
-    } while (goesOn && ours->GetDrawnPart() < 1.0);
-    if (!goesOn)
-    {
-      return nullptr;
-    }
+      if (!this->RenderWhile(isWanted) || !isWanted())
+      {
+        return nullptr;
+      }
+    } while (ours->GetDrawnPart() < 1.0);
   }
   return CaptureFloatImage(this->window, this->pipeline.Renderer(), onBand);
 }
