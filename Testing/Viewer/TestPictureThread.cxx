@@ -31,11 +31,16 @@ Scene SceneOfThread()
   return scene;
 }
 
-std::shared_ptr<const Study> OtherStudy()
+std::shared_ptr<const Study> StudyOf(const ProceduralSource& source)
 {
-  LoadedVolume volume = LoadVolume(ProceduralSource{ ProceduralKind::Shells, { 24, 24, 24 }, 1 });
+  LoadedVolume volume = LoadVolume(source);
   ImageStatistics statistics(volume.image);
   return std::make_shared<const Study>(Study{ std::move(volume), std::move(statistics) });
+}
+
+std::shared_ptr<const Study> OtherStudy()
+{
+  return StudyOf({ ProceduralKind::Shells, { 24, 24, 24 }, 1 });
 }
 
 QImage WithoutThread(const Scene& scene, const Study& study)
@@ -167,12 +172,26 @@ TEST(PictureThread, DrawsTheVoxelsOfAnotherTime)
   EXPECT_EQ(second, WithoutThread(scene, later));
 }
 
+TEST(VolumeCopies, AreTheSameAsLongAsSomebodyHoldsTheVolume)
+{
+  VolumeCopies copies;
+  LoadedVolume first = OtherStudy()->volume;
+  const LoadedVolume second = OtherStudy()->volume;
+  const auto copy = copies.Of(first);
+  copies.Of(second);
+  EXPECT_EQ(copies.Of(first), copy);
+  const vtkWeakPointer<vtkImageData> image(first.image.Get());
+  first = LoadedVolume();
+  copies.Of(second);
+  EXPECT_EQ(image, nullptr);
+}
+
 // Without that, the window would wait for a search that takes minutes.
 TEST(PictureThread, StopsASearchForStepsOncePicturesOfAnotherLookAreWanted)
 {
-  const auto study = SmallStudy();
+  const auto study = StudyOf({ ProceduralKind::Torso, { 160, 160, 160 }, 1 });
   Scene scene = SceneOfThread();
-  scene.render.errorTolerance = 1e-6;
+  scene.render.errorTolerance = 1e-6; // its search takes seconds
   PictureThread thread;
   thread.Take(ScenePart::Volume, scene, study);
   thread.Draw({ { 1600, 1200 }, PicturesPerSecondAtRest });

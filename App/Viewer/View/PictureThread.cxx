@@ -1,6 +1,7 @@
 #include "Viewer/View/PictureThread.h"
 
 #include "Scene/OffscreenView.h"
+#include "Viewer/View/ImageCopies.h"
 #include "Viewer/View/MovingImageSize.h"
 #include "Viewer/View/VtkPictures.h"
 
@@ -259,6 +260,10 @@ void PictureThread::Take(
     return; // only the counts of the values are others
   }
   this->copied = study->volume.image;
+  if (part == ScenePart::Volume)
+  {
+    this->shared = {};
+  }
   ShownVoxels voxels = this->SharedVoxels(*study);
   const std::lock_guard<std::mutex> lock(this->work->mutex);
   Order& next = this->work->next;
@@ -276,17 +281,12 @@ void PictureThread::Take(
 
 ShownVoxels PictureThread::SharedVoxels(const Study& study)
 {
-  constexpr int OnlyVersion = 0; // voxels of volumes do not change
-  this->shared.Begin();
-  const auto share = [this](vtkSmartPointer<vtkImageData>& image, const LoadedVolume& volume)
-  { image = this->shared.Of(image, OnlyVersion, [&] { return SharedCopy(volume); }); };
   ShownVoxels voxels = VoxelsOf(study);
-  share(voxels.volume, study.volume);
+  voxels.volume = this->shared.Of(study.volume);
   for (std::size_t i = 0; i < voxels.overlays.size(); ++i)
   {
-    share(voxels.overlays[i].image, study.overlays[i]->volume);
+    voxels.overlays[i].image = this->shared.Of(study.overlays[i]->volume);
   }
-  this->shared.End();
   return voxels;
 }
 

@@ -2,9 +2,9 @@
 #define Varimarch_Viewer_PictureThread_h
 
 #include "Viewer/Model/SceneModel.h"
-#include "Viewer/View/ImageCopies.h"
 #include "Viewer/View/PictureReport.h"
 #include "Viewer/View/ShownParts.h"
+#include "Viewer/View/VolumeCopies.h"
 
 #include <QImage>
 #include <QObject>
@@ -80,7 +80,7 @@ private:
   ShownVoxels SharedVoxels(const Study& study);
 
   std::unique_ptr<Work> work;           ///< shared with the thread
-  ImageCopies shared;                   ///< the volumes that the thread draws
+  VolumeCopies shared;                  ///< the volumes that the thread draws
   vtkSmartPointer<vtkImageData> copied; ///< the image whose copy the thread has
   std::optional<ThreadPicture> last;
 };
