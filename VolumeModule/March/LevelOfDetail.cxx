@@ -105,6 +105,10 @@ int LevelOfDetail::LevelNow(
   const int wanted = mapper->GetLevelOfDetail();
   DrawnView& view = this->ViewOf(frame);
   view.isComplete = true;
+  if (wanted != vtkVariationFieldVolumeMapper::RefinedLevel)
+  {
+    view.refinement.reset();
+  }
   if (wanted != vtkVariationFieldVolumeMapper::VoxelLevel && IsInteractive(mapper, volume, frame))
   {
     return vtkVariationFieldVolumeMapper::CoarseLevel;
@@ -113,8 +117,9 @@ int LevelOfDetail::LevelNow(
   {
     return wanted;
   }
-  const bool begins = mapper->GetLongestPartSeconds() > 0.0 && frame.pass.kind == RayPass::Whole &&
-    Begins(view, ImageFingerprint(mapper, frame), lastIsWhole);
+  const bool isInParts = mapper->GetLongestPartSeconds() > 0.0 &&
+    !frame.accumulation.fingerprint.empty() && frame.pass.kind == RayPass::Whole;
+  const bool begins = isInParts && Begins(view, ImageFingerprint(mapper, frame), lastIsWhole);
   view.isComplete = !begins;
   return begins ? vtkVariationFieldVolumeMapper::CoarseLevel
                 : vtkVariationFieldVolumeMapper::VoxelLevel;
@@ -132,7 +137,7 @@ std::optional<Frame> LevelOfDetail::FrameInstead(
   const auto known = SummaryWithLevel(frame, vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
   if (!known)
   {
-    this->views.clear();
+    this->ForgetScene(this->ViewOf(frame));
     return std::nullopt;
   }
   const int level = this->LevelNow(mapper, volume, frame, lastIsWhole);
@@ -171,10 +176,17 @@ std::optional<Frame> LevelOfDetail::CoarseFrame(vtkVariationFieldVolumeMapper* m
   return BuildFrame(mapper, frame.view.renderer, volume, this->image);
 }
 
+void LevelOfDetail::ForgetScene(DrawnView& view)
+{
+  view.isComplete = true;
+  view.refinement.reset();
+  view.begun.clear();
+}
+
 // Several renderers, and the eyes of a stereo image, are drawn in turn.
 DrawnView& LevelOfDetail::ViewOf(const Frame& frame)
 {
-  constexpr std::size_t MostViews = 8; // each takes up to 4 MB, and 8 bytes for each pixel
+  constexpr std::size_t MostViews = 64; // one more than are drawn in turn would never be refined
   vtkRenderer* const renderer = frame.view.renderer;
   const bool isLeftEye = renderer->GetActiveCamera()->GetLeftEye() != 0;
   this->views.remove_if([](const DrawnView& view) { return !view.renderer; });

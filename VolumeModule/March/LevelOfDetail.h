@@ -89,6 +89,8 @@ private:
     vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole);
   /// The view of a frame, which becomes the first of all.
   DrawnView& ViewOf(const Frame& frame);
+  /// The next image of the view is the first one of its scene.
+  void ForgetScene(DrawnView& view);
   /// Goes on with the scene of a fingerprint, or begins it.
   void Refine(DrawnView& view, const std::vector<double>& fingerprint, const LevelInputs& inputs,
     double tolerance);

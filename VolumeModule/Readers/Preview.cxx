@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace varimarch
 {
@@ -13,6 +14,21 @@ namespace
 
 using Counts = std::array<std::int64_t, 3>;
 
+Counts CountsOf(const Counts& dimensions, const Counts& steps)
+{
+  Counts counts;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    counts[axis] = (dimensions[axis] - 1) / steps[axis] + 1;
+  }
+  return counts;
+}
+
+double ProductOf(const Counts& counts)
+{
+  return double(counts[0]) * double(counts[1]) * double(counts[2]);
+}
+
 /// The distances of the voxels that are copied.
 Counts StepsFor(const Counts& dimensions, std::size_t voxelBytes, std::uint64_t mostMemoryBytes)
 {
@@ -20,16 +36,22 @@ Counts StepsFor(const Counts& dimensions, std::size_t voxelBytes, std::uint64_t 
   const double mostVoxels =
     std::min(double(1 << 24), PartOfMemory * double(mostMemoryBytes) / double(voxelBytes));
   constexpr double MostBytes = 5e8;
-  const double voxels = double(dimensions[0]) * double(dimensions[1]) * double(dimensions[2]);
-  const auto step = std::int64_t(std::ceil(std::cbrt(voxels / mostVoxels)));
   // The system reads ahead, and so most of each slice in which voxels are.
-  const auto between = std::int64_t(std::ceil(voxels * double(voxelBytes) / MostBytes));
-  Counts steps = { step, step, std::max(step, between) };
-  for (int axis = 0; axis < 3; ++axis)
+  const auto between =
+    std::int64_t(std::ceil(ProductOf(dimensions) * double(voxelBytes) / MostBytes));
+  const std::int64_t longest = *std::max_element(dimensions.begin(), dimensions.end());
+  for (std::int64_t step = 1;; ++step)
   {
-    steps[axis] = std::min(steps[axis], std::max<std::int64_t>(dimensions[axis] - 1, 1));
+    Counts steps = { step, step, std::max(step, between) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      steps[axis] = std::min(steps[axis], std::max<std::int64_t>(dimensions[axis] - 1, 1));
+    }
+    if (ProductOf(CountsOf(dimensions, steps)) <= mostVoxels || step >= longest)
+    {
+      return steps;
+    }
   }
-  return steps;
 }
 
 }
@@ -47,11 +69,8 @@ vtkSmartPointer<vtkImageData> CoarseCopy(const BrickSource& source, const VoxelL
   const Counts steps = StepsFor(layout.dimensions, voxelBytes, mapping.mostMemoryBytes);
   PreviewWish& wish = *mapping.preview;
   VoxelLayout ofCopy = layout;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    ofCopy.dimensions[axis] = (layout.dimensions[axis] - 1) / steps[axis] + 1;
-    wish.steps[axis] = double(steps[axis]);
-  }
+  ofCopy.dimensions = CountsOf(layout.dimensions, steps);
+  std::copy(steps.begin(), steps.end(), std::begin(wish.steps));
   const Counts& count = ofCopy.dimensions;
   const auto copy = AllocatedImage(ofCopy);
   char* to = static_cast<char*>(copy->GetScalarPointer());

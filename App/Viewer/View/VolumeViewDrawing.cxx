@@ -250,8 +250,9 @@ void VolumeView::Count(double seconds, bool refines)
     return; // one of several frames to be averaged
   }
   this->pictureSeconds = seconds + (refines ? this->pictureSeconds : 0.0);
-  const std::optional<PictureNumbers> numbers = this->Numbers();
-  this->isWhole = !numbers || numbers->averaged > 0;
+  const std::optional<PictureNumbers> numbers = this->NumbersOfMapper();
+  const bool voxelsFollow = numbers && numbers->isCoarse && numbers->drawnPart < 1.0;
+  this->isWhole = !numbers || (numbers->averaged > 0 && !voxelsFollow);
   if (this->isWhole)
   {
     emit this->Drawn();
