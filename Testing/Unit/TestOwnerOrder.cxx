@@ -217,6 +217,21 @@ TEST(OwnerOrder, LetsFewPixelsBeWrongWhereOwnersHideEachOther)
   EXPECT_EQ(order.conflict, std::pair(0, 1));
 }
 
+TEST(OwnerOrder, LeavesOutWhatIsBehindTheEye)
+{
+  // Owners 0 and 1 hide each other behind the eye only.
+  const Box front{ glm::dvec3(0.0, 0.0, 0.0), glm::dvec3(1.0, 1.0, 1.0) };
+  const Box behind{ glm::dvec3(0.0, 2.0, 0.0), glm::dvec3(1.0, 3.0, 1.0) };
+  const Box nearer{ glm::dvec3(0.0, -12.0, 0.0), glm::dvec3(1.0, -11.0, 1.0) };
+  const Box farther{ glm::dvec3(0.0, -14.0, 0.0), glm::dvec3(1.0, -13.0, 1.0) };
+  const std::vector<OwnedBox> boxes{ { front, Unmoved, 0 }, { behind, Unmoved, 1 },
+    { nearer, Unmoved, 1 }, { farther, Unmoved, 0 } };
+  const OrderEye eye{ { 0.5, -5.0, 0.5 }, { 0.5, 0.0, 0.5 }, true };
+  const OwnerOrder order = OwnersFrontToBack(boxes, 2, ClipFromWorld(eye));
+  EXPECT_FALSE(order.conflict);
+  EXPECT_EQ(order.owners, (std::vector<int>{ 0, 1 }));
+}
+
 TEST(OwnerOrder, OrdersTwoVolumesBesideEachOther)
 {
   // As drawn by 8 processes, each of which has the same part of both: those on the right of a

@@ -159,8 +159,10 @@ std::optional<std::pair<int, int>> OrderProcesses(
   {
     return std::nullopt;
   }
-  const OwnerOrder order =
+  OwnerOrder order =
     OwnersFrontToBack(boxes, controller->GetNumberOfProcesses(), ClipFromWorld(renderer));
+  // All must have the same order, and the tiles of a display may differ in their view.
+  controller->Broadcast(order.owners.data(), vtkIdType(order.owners.size()), 0);
   helper->SetBoundingBoxes(BoxesInARow(order.owners, renderer->GetActiveCamera()));
   return order.conflict;
 }

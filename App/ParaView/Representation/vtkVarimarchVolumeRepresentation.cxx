@@ -282,7 +282,7 @@ void vtkVarimarchVolumeRepresentation::AgreeWithOthers(vtkObject* caller, unsign
     least[0], least[1] < 0.0 ? ", pre-integrated" : "");
 }
 
-// Warns once if no order is right. All processes take part.
+// Warns at the first view for which no order is right. All processes take part.
 void vtkVarimarchVolumeRepresentation::OrderProcesses(vtkRenderer* renderer)
 {
   vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
@@ -291,11 +291,12 @@ void vtkVarimarchVolumeRepresentation::OrderProcesses(vtkRenderer* renderer)
   {
     vtkWarningMacro("The processes "
       << conflict->first << " and " << conflict->second
-      << " may each have a part of a volume in front of one of the other's, and ParaView, which "
-         "lays their pictures over each other as a whole, draws such pixels wrongly: expected "
-         "volumes that do not overlap and are divided alike, or one process.");
+      << ", or others between them, have parts in front of each other, and ParaView, which lays "
+         "the pictures of processes over each other as a whole, draws some pixels wrongly: no "
+         "order of processes is right for this view; expected another view, one volume, or one "
+         "process.");
   }
-  this->HasWarnedOfOrder = conflict.has_value();
+  this->HasWarnedOfOrder = this->HasWarnedOfOrder || conflict;
 }
 
 bool vtkVarimarchVolumeRepresentation::AddToView(vtkView* view)

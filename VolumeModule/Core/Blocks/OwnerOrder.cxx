@@ -32,8 +32,11 @@ struct Solid
 
 Solid SolidOf(const OwnedBox& owned, const glm::dmat4& clipFromWorld)
 {
+  const glm::dmat4 clipFromData = clipFromWorld * owned.worldFromData;
+  constexpr Viewport Nothing{ 0, 0, 0, 0 };
   return { CornersOf(owned.box, owned.worldFromData),
-    PixelsOf(owned.box, clipFromWorld * owned.worldFromData, Picture), owned.owner };
+    IsInView(owned.box, clipFromData) ? PixelsOf(owned.box, clipFromData, Picture) : Nothing,
+    owned.owner };
 }
 
 // The eye in homogeneous coordinates: the point at infinity in front of the picture's centre. It is
