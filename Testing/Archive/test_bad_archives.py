@@ -145,7 +145,8 @@ def connections_that_end_while_a_file_is_sent_are_told():
         file.write(image)
         file.flush()
         told = sentence("send", dimse(port), file.name)
-        assert "it has stopped receiving" in told, told
+        # Whether the data or the end of the connection is met first is chance.
+        assert "it has stopped receiving" in told or "it has ended the connection" in told, told
 
 
 def silence_after_a_greeting_is_not_waited_for():
