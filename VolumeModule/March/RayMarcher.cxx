@@ -108,17 +108,27 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
     this->shaders.ReleaseTrial(frame.view.window);
     return;
   }
-  const auto drawTrial = [&](const MarchPlan& tried)
+  const auto stopIfUnwanted = [&]
   {
     if (frame.view.window->CheckAbortStatus())
     {
       throw DrawingStopped();
     }
+  };
+  bool hasTried = false;
+  const auto drawTrial = [&](const MarchPlan& tried)
+  {
+    stopIfUnwanted();
+    hasTried = true;
     this->resources.UpdatePreIntegrated(frame, tried);
     return this->MarcherOf(tried).DrawTrial(frame, tried);
   };
   this->tolerance.Update(
     MarchOf(frame, plan), this->resources.First(), this->ToleranceInputsOf(frame, plan), drawTrial);
+  if (hasTried)
+  {
+    stopIfUnwanted();
+  }
   plan.integration = this->tolerance.Choice()->integration;
   // Shaders that count fetches may draw with steps that were found with packets.
   plan.sampleDistanceMm = std::max(

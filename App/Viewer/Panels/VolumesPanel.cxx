@@ -284,15 +284,18 @@ void VolumesPanel::TakeItem(const QListWidgetItem* item)
   const bool isShown = item->checkState() == Qt::Checked;
   const std::string name = item->text().trimmed().toStdString();
   const OverlaidVolume& before = this->model->CurrentScene().overlays[changed];
-  const QString step = isShown == before.visible ? tr("rename")
-    : isShown                                    ? tr("show a volume")
-                                                 : tr("hide a volume");
-  this->model->Edit(ScenePart::Overlays, step,
-    [&](Scene& scene)
-    {
-      scene.overlays[changed].visible = isShown;
-      scene.overlays[changed].name = name;
-    });
+  if (isShown != before.visible || name != before.name)
+  {
+    const QString step = isShown == before.visible ? tr("rename")
+      : isShown                                    ? tr("show a volume")
+                                                   : tr("hide a volume");
+    this->model->Edit(ScenePart::Overlays, step,
+      [&](Scene& scene)
+      {
+        scene.overlays[changed].visible = isShown;
+        scene.overlays[changed].name = name;
+      });
+  }
   this->ShowRows(); // the title may be another than the text that was typed
 }
 
