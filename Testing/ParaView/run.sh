@@ -158,8 +158,8 @@ testSeveralProcesses()
         "| $(compare "$pictures/ours-1/$name.png" "$pictures/ours-$count/$name.png" "$leastDecibels")" \
         "| $(compare "$pictures/stock-1/$name.png" "$pictures/stock-$count/$name.png" 0) |"
     done
-    # Of two volumes beside each other, split along the line between them, some parts of one process
-    # are in front of those of another and others behind them.
+    # Where two volumes lie beside each other and are split along the line between them, some parts of
+    # one process are in front of those of another process, and others are behind them.
     [ "$count" -ne 8 ] ||
       expectMessage "may each have a part of a volume in front" "$pictures/ours-$count/log"
   done

@@ -36,7 +36,7 @@ Ray RayOfEye(const glm::dvec3& target, const OrderEye& eye)
   return { eye.isParallel ? target - 10.0 * direction : eye.position, direction };
 }
 
-// Where a ray of the world is in a box.
+// The distances at which a ray in the world enters and leaves a box.
 Interval PassageThrough(const Ray& ray, const OwnedBox& box)
 {
   const glm::dmat4 dataFromWorld = glm::inverse(box.worldFromData);
@@ -234,9 +234,9 @@ TEST(OwnerOrder, LeavesOutWhatIsBehindTheEye)
 
 TEST(OwnerOrder, OrdersTwoVolumesBesideEachOther)
 {
-  // As drawn by 8 processes, each of which has the same part of both: those on the right of a
-  // volume are in front of those on its left, but some on the left of the right volume are in
-  // front of those on the right of the left one.
+  // Each of 8 processes has the same part of both volumes. The parts on the right of a volume are
+  // in front of those on its left, but some on the left of the right volume are in front of those
+  // on the right of the left one.
   std::vector<OwnedBox> boxes;
   AddOctants(Unmoved, boxes);
   AddOctants(glm::translate(Unmoved, glm::dvec3(1.125, 0.0, 0.0)), boxes);

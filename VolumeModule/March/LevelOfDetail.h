@@ -75,7 +75,7 @@ public:
   /// True if further images of the views that are drawn in turn would be more exact.
   bool MayBeRefined() const;
 
-  /// True if this holds for the last one.
+  /// True if a further image of the view that was drawn last would be more exact.
   bool LastMayBeRefined() const { return !this->views.empty() && !this->views.front().isComplete; }
 
   void Release(vtkWindow* window);

@@ -57,7 +57,8 @@ class LevelRefinement
 {
 public:
   /// @param fingerprint  that of the image, see ImageFingerprint
-  /// @param sameLooks  that of another view, which HasLooksFor the inputs; may be null
+  /// @param sameLooks  the refinement of another view whose HasLooksFor(inputs) is true; may be
+  /// null
   LevelRefinement(
     std::vector<double> fingerprint, const LevelInputs& inputs, const LevelRefinement* sameLooks);
 

@@ -36,7 +36,7 @@ signals:
   void Failed(const QString& reason);
 
 private:
-  /// A volume, whatever its time.
+  /// Identifies a volume at all of its times.
   using Volume = std::shared_ptr<LabelGuard>;
 
   void Follow(ScenePart part);

@@ -20,7 +20,7 @@ vtkSmartPointer<vtkImageData> VolumeCopies::Of(const LoadedVolume& volume)
   return this->copies.back().copy;
 }
 
-// A source of one reference is held here alone, so that its voxels are not needed any more.
+// Nobody else holds a source with one reference, so that its voxels are not needed any more.
 void VolumeCopies::ForgetReleased()
 {
   this->copies.erase(std::remove_if(this->copies.begin(), this->copies.end(),
