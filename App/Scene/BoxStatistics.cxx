@@ -1,5 +1,7 @@
 #include "Scene/BoxStatistics.h"
 
+#include "Frame/VolumeGeometry.h"
+
 #include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
@@ -7,7 +9,6 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
@@ -30,11 +31,6 @@ namespace
 // Rounding of positions [voxels].
 constexpr double Rounding = 1e-9;
 
-glm::dmat4 MatrixOf(vtkMatrix4x4* matrix)
-{
-  return glm::transpose(glm::make_mat4(matrix->GetData())); // VTK stores matrices by rows
-}
-
 /// The first and last index of some voxels along an axis; none if the last lies before the first.
 struct IndexRange
 {
@@ -49,7 +45,7 @@ public:
   BoxOverVoxels(const std::array<double, 3>& fromMm, const std::array<double, 3>& toMm,
     vtkImageData* grid, vtkImageData* voxels)
     : gridFromVoxel(
-        MatrixOf(grid->GetPhysicalToIndexMatrix()) * MatrixOf(voxels->GetIndexToPhysicalMatrix()))
+        FromVtk(grid->GetPhysicalToIndexMatrix()) * FromVtk(voxels->GetIndexToPhysicalMatrix()))
     , extent(voxels->GetExtent())
   {
     glm::dvec3 from;

@@ -105,8 +105,7 @@ ReferenceView ViewOf(const Scene& scene, vtkRenderer* renderer, const VolumeGeom
   const double aspect = double(scene.size[0]) / scene.size[1];
   vtkMatrix4x4* clipFromWorld =
     renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
-  const glm::dmat4 clipFromGrid =
-    glm::transpose(glm::make_mat4(clipFromWorld->GetData())) * geometry.worldFromGrid;
+  const glm::dmat4 clipFromGrid = FromVtk(clipFromWorld) * geometry.worldFromGrid;
   return { ComputePixelRays(clipFromGrid, geometry.boxGrid), geometry.WorldFromGridDirection(),
     scene.size[0], scene.size[1] };
 }

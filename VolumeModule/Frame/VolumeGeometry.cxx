@@ -25,12 +25,6 @@ namespace varimarch
 namespace
 {
 
-// VTK stores rows, GLM columns.
-glm::dmat4 FromVtk(vtkMatrix4x4* matrix)
-{
-  return glm::transpose(glm::make_mat4(matrix->GetData()));
-}
-
 // Factors of a gradient in VTK's sense: differences over distances, times the mean spacing.
 glm::dvec3 GradientFactors(glm::dvec3 spacing)
 {
@@ -147,6 +141,11 @@ Viewport ViewportOf(vtkRenderer* renderer)
   renderer->GetTiledSizeAndOrigin(
     &viewport.width, &viewport.height, &viewport.left, &viewport.bottom);
   return viewport;
+}
+
+glm::dmat4 FromVtk(vtkMatrix4x4* matrix)
+{
+  return glm::transpose(glm::make_mat4(matrix->GetData()));
 }
 
 glm::dmat4 ClipFromWorld(vtkRenderer* renderer)

@@ -12,6 +12,7 @@
 #include <glm/vec3.hpp>
 
 class vtkImageData;
+class vtkMatrix4x4;
 class vtkRenderer;
 class vtkVolume;
 
@@ -77,6 +78,9 @@ glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from);
 
 /// The part of the framebuffer that a renderer draws to.
 Viewport ViewportOf(vtkRenderer* renderer);
+
+/// The matrix in GLM's order: VTK stores rows, GLM columns.
+VARIMARCHVOLUME_EXPORT glm::dmat4 FromVtk(vtkMatrix4x4* matrix);
 
 /// The renderer's camera and projection, for its current tile and eye.
 VARIMARCHVOLUME_EXPORT glm::dmat4 ClipFromWorld(vtkRenderer* renderer);

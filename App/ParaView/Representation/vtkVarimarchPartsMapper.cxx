@@ -1,9 +1,9 @@
 #include "vtkVarimarchPartsMapper.h"
 
-#include "Core/Blocks/BoxOrder.h"
+#include "Core/Blocks/OwnerOrder.h"
+#include "Frame/VolumeGeometry.h"
 #include "ScalarsOfLook.h"
 
-#include "vtkCamera.h"
 #include "vtkDataSet.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
@@ -14,33 +14,6 @@
 
 #include <algorithm>
 #include <utility>
-
-namespace
-{
-
-// The eye in the coordinates of the data; at infinity, as the direction towards it, for a parallel
-// projection.
-glm::dvec4 EyeOf(vtkRenderer* renderer, vtkVolume* volume)
-{
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  double eye[4] = { 0.0, 0.0, 0.0, camera->GetParallelProjection() ? 0.0 : 1.0 };
-  if (camera->GetParallelProjection())
-  {
-    camera->GetDirectionOfProjection(eye);
-    std::transform(eye, eye + 3, eye, [](double x) { return -x; });
-  }
-  else
-  {
-    camera->GetPosition(eye);
-  }
-  vtkNew<vtkMatrix4x4> dataFromWorld;
-  volume->GetMatrix(dataFromWorld);
-  dataFromWorld->Invert();
-  dataFromWorld->MultiplyPoint(eye, eye);
-  return { eye[0], eye[1], eye[2], eye[3] };
-}
-
-}
 
 struct vtkVarimarchPartsMapper::Drawer
 {
@@ -165,8 +138,15 @@ void vtkVarimarchPartsMapper::SetCommonSteps(double sampleDistance, bool preInte
 void vtkVarimarchPartsMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->ForwardSettings(volume);
-  const std::vector<int> order =
-    varimarch::FrontToBack(varimarch::BoxesOf(this->Parts), EyeOf(renderer, volume));
+  const glm::dmat4 worldFromData = varimarch::FromVtk(volume->GetMatrix());
+  std::vector<varimarch::OwnedBox> boxes;
+  for (const varimarch::Box& box : varimarch::BoxesOf(this->Parts))
+  {
+    boxes.push_back({ box, worldFromData, static_cast<int>(boxes.size()) });
+  }
+  const std::vector<int> order = varimarch::OwnersFrontToBack(
+    boxes, static_cast<int>(boxes.size()), varimarch::ClipFromWorld(renderer))
+                                   .owners;
   for (auto part = order.rbegin(); part != order.rend(); ++part)
   {
     this->Drawers[*part]->Mapper->Render(renderer, volume);

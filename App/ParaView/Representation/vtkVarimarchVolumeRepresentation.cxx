@@ -1,6 +1,6 @@
 #include "vtkVarimarchVolumeRepresentation.h"
 
-#include "Core/Blocks/BoxOrder.h"
+#include "Core/Blocks/BoxOverlap.h"
 #include "OrderOfProcesses.h"
 #include "OwnedPart.h"
 #include "vtkVarimarchPartsMapper.h"
