@@ -93,7 +93,7 @@ public:
 
   std::vector<float> Draw(const BlockLevels& levels)
   {
-    this->pictures.scene.levels = { &this->level, levels.areVoxels.data(), levels.count,
+    this->pictures.scene.levels = { &this->level, levels.ofBlocks.data(), levels.count,
       float(levels.side * BrickRanges::CellsPerSide) };
     return this->pictures.March(InstructionSetsOfProcessor().front());
   }
@@ -185,7 +185,7 @@ double RefineAll(const LevelPictures& pictures, double tolerance, BlockLevels& l
 
 std::ptrdiff_t CountVoxels(const BlockLevels& levels)
 {
-  return std::count(levels.areVoxels.begin(), levels.areVoxels.end(), std::uint8_t(1));
+  return std::count(levels.ofBlocks.begin(), levels.ofBlocks.end(), BlockLevel::Voxels);
 }
 
 TEST(LevelBound, HoldsInEveryPixelForAnyLevelsOfBlocks)
@@ -251,7 +251,7 @@ TEST(LevelBound, IsZeroForVoxels)
 {
   LevelPictures pictures(Wave, Foggy(0.4));
   BlockLevels levels = pictures.Looks().Coarse();
-  std::fill(levels.areVoxels.begin(), levels.areVoxels.end(), std::uint8_t(1));
+  std::fill(levels.ofBlocks.begin(), levels.ofBlocks.end(), BlockLevel::Voxels);
   EXPECT_EQ(LargestOf(LevelBounds(pictures.Scene(), levels)), 0.0);
   EXPECT_LE(pictures.LargestDifference(levels), StepError);
 }
@@ -296,7 +296,7 @@ TEST(LevelRefinement, TakesMoreVoxelsForASmallerTolerance)
     EXPECT_GT(CountVoxels(levels), before) << tolerance;
     before = CountVoxels(levels);
   }
-  EXPECT_LT(before, std::ptrdiff_t(levels.areVoxels.size()));
+  EXPECT_LT(before, std::ptrdiff_t(levels.ofBlocks.size()));
 }
 
 TEST(LevelRefinement, TakesVoxelsForRowsOfPixelsInSeveralRounds)
@@ -338,7 +338,7 @@ TEST(LevelRefinement, TakesNoVoxelsThatAreHidden)
     Steep());
   BlockLevels levels = pictures.Looks().Begun();
   RefineAll(pictures, 1.0 / 128.0, levels);
-  EXPECT_EQ(levels.areVoxels[levels.PlaceOf({ 2, 1, 1 })], 0);
+  EXPECT_EQ(levels.ofBlocks[levels.PlaceOf({ 2, 1, 1 })], BlockLevel::Coarse);
 }
 
 // Trilinear interpolation between means has a ramp's own values, but for the outermost ones.
@@ -347,12 +347,13 @@ TEST(LevelRefinement, HasNoSeamsInARamp)
   LevelPictures pictures(Ramp, Foggy(0.3));
   BlockLevels levels = pictures.Looks().Coarse();
   const int count = levels.count.x;
-  for (std::size_t place = 0; place < levels.areVoxels.size(); ++place)
+  for (std::size_t place = 0; place < levels.ofBlocks.size(); ++place)
   {
     const int x = int(place) % count;
-    levels.areVoxels[place] = x == 0 || x == count - 1 || x % 2 == 0 ? 1 : 0;
+    levels.ofBlocks[place] =
+      x == 0 || x == count - 1 || x % 2 == 0 ? BlockLevel::Voxels : BlockLevel::Coarse;
   }
-  ASSERT_LT(CountVoxels(levels), std::ptrdiff_t(levels.areVoxels.size()));
+  ASSERT_LT(CountVoxels(levels), std::ptrdiff_t(levels.ofBlocks.size()));
   EXPECT_LE(pictures.LargestDifference(levels), StepError);
 }
 

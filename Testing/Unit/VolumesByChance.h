@@ -63,9 +63,9 @@ public:
   BlockLevels Levels(BlockLevels levels)
   {
     const double part = this->Number(0.0, 1.0);
-    for (std::uint8_t& isVoxels : levels.areVoxels)
+    for (BlockLevel& level : levels.ofBlocks)
     {
-      isVoxels = this->Number(0.0, 1.0) < part ? 1 : 0;
+      level = this->Number(0.0, 1.0) < part ? BlockLevel::Voxels : BlockLevel::Coarse;
     }
     return levels;
   }

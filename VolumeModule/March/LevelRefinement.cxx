@@ -67,9 +67,9 @@ double LargestOf(const std::vector<double>& bounds)
   return bounds.empty() ? 0.0 : *std::max_element(bounds.begin(), bounds.end());
 }
 
-std::size_t CountOf(const BlockLevels& levels, std::uint8_t kind)
+std::size_t CountOf(const BlockLevels& levels, BlockLevel level)
 {
-  return std::size_t(std::count(levels.areVoxels.begin(), levels.areVoxels.end(), kind));
+  return std::size_t(std::count(levels.ofBlocks.begin(), levels.ofBlocks.end(), level));
 }
 
 }
@@ -153,14 +153,14 @@ void LevelRefinement::Refine(double tolerance)
     this->bounds);
   this->bound = LargestOf(this->bounds);
   this->levels = next;
-  this->refined = CountOf(*next, 1);
+  this->refined = CountOf(*next, BlockLevel::Voxels);
 }
 
 void LevelRefinement::Begin()
 {
   this->looks = this->looks ? this->looks : std::make_shared<BlockLooks>(this->inputs.Looks());
   this->levels = std::make_shared<BlockLevels>(this->looks->Begun());
-  this->visible = CountOf(*this->levels, 0);
+  this->visible = CountOf(*this->levels, BlockLevel::Coarse);
   this->bounds = LevelBounds(this->inputs.SceneOf(*this->looks, false), *this->levels);
   this->bound = LargestOf(this->bounds);
 }

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Core_Packets_PacketScene_h
 #define Varimarch_Core_Packets_PacketScene_h
 
+#include "Core/Blocks/BlockLevels.h"
 #include "Core/Fields/LightLattice.h"
 #include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Geometry/Viewport.h"
@@ -213,7 +214,7 @@ struct PacketLevels
   /// The level, a volume of the same type in a grid of its own; null: all blocks are drawn by
   /// voxels.
   const PacketScene* coarse;
-  const std::uint8_t* areVoxels; ///< see BlockLevels
+  const BlockLevel* ofBlocks; ///< see BlockLevels
   glm::ivec3 blockCount;
   float blockSideGrid; ///< length of a block's side, in voxels
 };

@@ -146,8 +146,8 @@ BlockLooks::BlockLooks(const VolumeSummary& summary, VoxelType type, const Optic
     glm::ivec3((double(CoarseLevel::Side) * glm::dvec3(summary.coarse.voxelCount - 1) + Middle) /
       this->CellsPerSide());
   const glm::ivec3 count = this->coarse.count;
-  this->coarse.areVoxels.resize(std::size_t(count.x) * count.y * count.z);
-  this->blocks.resize(this->coarse.areVoxels.size());
+  this->coarse.ofBlocks.resize(std::size_t(count.x) * count.y * count.z);
+  this->blocks.resize(this->coarse.ofBlocks.size());
   ByVoxelType(type, [&](auto voxel) { this->FindEntries<decltype(voxel)>(summary, table); });
 }
 
@@ -187,9 +187,10 @@ void BlockLooks::FindEntries(const VolumeSummary& summary, const OpticalTable& t
 BlockLevels BlockLooks::Begun() const
 {
   BlockLevels levels = this->coarse;
-  for (std::size_t place = 0; place < levels.areVoxels.size(); ++place)
+  for (std::size_t place = 0; place < levels.ofBlocks.size(); ++place)
   {
-    levels.areVoxels[place] = this->OfVoxels(place).most.a > 0.0f ? 0 : BlockLevels::Nothing;
+    levels.ofBlocks[place] =
+      this->OfVoxels(place).most.a > 0.0f ? BlockLevel::Coarse : BlockLevel::Nothing;
   }
   return levels;
 }

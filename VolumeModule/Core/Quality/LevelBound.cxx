@@ -51,8 +51,8 @@ void Take(const LookBetween& look, Segment& segment)
 LookBetween LookOf(const LevelBoundScene& scene, const BlockLevels& levels, std::size_t place,
   const glm::ivec3& block)
 {
-  LookBetween look =
-    levels.areVoxels[place] ? scene.looks.OfVoxels(place) : scene.looks.OfBoth(place);
+  LookBetween look = levels.ofBlocks[place] == BlockLevel::Coarse ? scene.looks.OfBoth(place)
+                                                                  : scene.looks.OfVoxels(place);
   look.least.a = scene.endsEarlier && scene.looks.LevelEndsIn(block) ? 0.0f : look.least.a;
   return look;
 }
@@ -81,7 +81,8 @@ std::vector<Segment> SegmentsOf(
       const double mm = (part.t.exit - part.t.enter) * mmPerT;
       if (look.most.a > 0.0f)
       {
-        segments.push_back({ place, mm, levels.areVoxels[place] != 0, {}, 0.0, 0.0, 0.0 });
+        segments.push_back(
+          { place, mm, levels.ofBlocks[place] != BlockLevel::Coarse, {}, 0.0, 0.0, 0.0 });
         Take(look, segments.back());
         leastDepth += mm * double(look.least.a);
       }
@@ -217,7 +218,7 @@ void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLev
   std::vector<double>& bounds)
 {
   constexpr int RowsAtOnce = 16;
-  std::vector<std::atomic<std::uint8_t>> taken(levels.areVoxels.size());
+  std::vector<std::atomic<std::uint8_t>> taken(levels.ofBlocks.size());
   std::size_t count = 0;
   for (int row = 0; row < scene.pixels.y && count < round.mostBlocks; row += RowsAtOnce)
   {
@@ -232,8 +233,8 @@ void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLev
       });
     for (std::size_t place = 0; place < taken.size(); ++place)
     {
-      const bool isNew = levels.areVoxels[place] == 0 && taken[place] != 0;
-      levels.areVoxels[place] = isNew ? 1 : levels.areVoxels[place];
+      const bool isNew = levels.ofBlocks[place] == BlockLevel::Coarse && taken[place] != 0;
+      levels.ofBlocks[place] = isNew ? BlockLevel::Voxels : levels.ofBlocks[place];
       count += isNew ? 1 : 0;
     }
   }

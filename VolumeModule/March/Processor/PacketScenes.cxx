@@ -53,7 +53,7 @@ void PacketScenes::AddCoarser(
   scene.depths = {};
   scene.parameters.ownGridFromRays = GridFromGrid(level.frame.geometry, march.frame.geometry);
   const BlockLevels& levels = *march.frame.blockLevels;
-  this->first.scene.levels = { &scene, levels.areVoxels.data(), levels.count,
+  this->first.scene.levels = { &scene, levels.ofBlocks.data(), levels.count,
     float(levels.side * BrickRanges::CellsPerSide) };
 }
 

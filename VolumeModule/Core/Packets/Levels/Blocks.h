@@ -6,6 +6,8 @@
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketPieces.h"
 
+#include <utility>
+
 namespace varimarch
 {
 
@@ -17,14 +19,14 @@ class LevelPieces
 {
 public:
   LevelPieces(const PacketScene& scene, const PacketRays& rays)
-    : areVoxels(scene.levels.areVoxels)
+    : ofBlocks(scene.levels.ofBlocks)
     , rays(rays)
     , lattice(rays, scene.levels.blockSideGrid, 0.0f, scene.levels.blockCount)
     , place(lattice.At(rays.enter))
   {
   }
 
-  /// See MarchPieces. The region of a piece is that of BlockLevels::areVoxels.
+  /// See MarchPieces. The region of a piece is the number of its BlockLevel.
   PacketRays Next(LaneMask searching)
   {
     PacketRays piece = this->rays;
@@ -45,20 +47,20 @@ private:
   IntLanes LevelsAt(const LatticePlace& at) const
   {
     const IntNumbers index = this->lattice.IndexOf(at.cell);
-    return IntLanesOf([&](int lane) { return std::int32_t(this->areVoxels[index.of[lane]]); });
+    return IntLanesOf([&](int lane) { return std::int32_t(this->ofBlocks[index.of[lane]]); });
   }
 
-  const std::uint8_t* areVoxels;
+  const BlockLevel* ofBlocks;
   const PacketRays& rays;
   PacketLattice lattice;
   LatticePlace place; ///< the end of the last piece
 };
 
 /// The rays of a level, and no length of others.
-inline PacketRays OfLevel(const PacketRays& piece, int level)
+inline PacketRays OfLevel(const PacketRays& piece, BlockLevel level)
 {
   PacketRays own = piece;
-  own.exit = Select(piece.region == level, piece.exit, piece.enter);
+  own.exit = Select(piece.region == std::int32_t(level), piece.exit, piece.enter);
   own.region = IntLanes{};
   return own;
 }
@@ -69,13 +71,14 @@ template <class March>
 PacketSum MarchByLevels(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
 {
-  const PacketScene* const scenes[] = { scene.levels.coarse, &scene };
+  const std::pair<BlockLevel, const PacketScene&> drawn[] = {
+    { BlockLevel::Coarse, *scene.levels.coarse }, { BlockLevel::Voxels, scene }
+  };
   return MarchPieces<LevelPieces>(scene, rays, before,
     [&](const PacketRays& piece, PacketSum sum)
     {
-      for (int level = 0; level < 2; ++level)
+      for (const auto& [level, own] : drawn)
       {
-        const PacketScene& own = *scenes[level];
         const PacketRays ofLevel = OfLevel(piece, level);
         if (Any(LaneMask(ofLevel.enter < ofLevel.exit)))
         {
