@@ -494,8 +494,8 @@ public:
    * tolerance, and shows the mean of all frames so far: edges become smooth. Call Render() until
    * GetAccumulatedPictures() returns this number; further calls add none. A change of anything
    * visible begins again. Frames are not averaged during interaction, with an ImageSampleDistance
-   * other than 1, or if UpdateShaderEvent has an observer. A mapper averages those of one renderer and
-   * one eye: others that are drawn in turn begin again. Default: 1, off.
+   * other than 1, or if UpdateShaderEvent has an observer. A mapper averages those of one renderer
+   * and one eye: others that are drawn in turn begin again. Default: 1, off.
    */
   vtkSetClampMacro(MaximumAccumulatedPictures, int, 1, 65536);
   vtkGetMacro(MaximumAccumulatedPictures, int);
