@@ -17,13 +17,6 @@ constexpr int TileSide = 16;
 using TileMarch = void(
   const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
 
-// Indices of 32 bits are faster.
-template <InstructionSet Set, class Voxel>
-TileMarch* TileMarchThrough(const PacketVolume& volume)
-{
-  return IsIndexedBy32Bits(volume.voxelCount) ? MarchTile<Set, Voxel> : MarchTile<Set, Many<Voxel>>;
-}
-
 template <InstructionSet Set>
 TileMarch* TileMarchOf(const PacketScene& scene)
 {
@@ -35,20 +28,24 @@ TileMarch* TileMarchOf(const PacketScene& scene)
   {
     return MarchTile<Set, SplineCoefficients>;
   }
+  if (!IsIndexedBy32Bits(scene.volume.voxelCount))
+  {
+    return MarchTile<Set, ManyVoxels>;
+  }
   switch (scene.volume.type)
   {
     case VoxelType::Int8:
-      return TileMarchThrough<Set, std::int8_t>(scene.volume);
+      return MarchTile<Set, std::int8_t>;
     case VoxelType::UInt8:
-      return TileMarchThrough<Set, std::uint8_t>(scene.volume);
+      return MarchTile<Set, std::uint8_t>;
     case VoxelType::Int16:
-      return TileMarchThrough<Set, std::int16_t>(scene.volume);
+      return MarchTile<Set, std::int16_t>;
     case VoxelType::UInt16:
-      return TileMarchThrough<Set, std::uint16_t>(scene.volume);
+      return MarchTile<Set, std::uint16_t>;
     case VoxelType::Float32:
       break;
   }
-  return TileMarchThrough<Set, float>(scene.volume);
+  return MarchTile<Set, float>;
 }
 
 TileMarch* TileMarchOf(const PacketScene& scene, [[maybe_unused]] InstructionSet set)

@@ -9,8 +9,7 @@ namespace varimarch
 
 /// The content of a tile: std::int8_t, std::uint8_t, std::int16_t, std::uint16_t or float, which
 /// are fewer than 2^31 voxels of this type, or one of these.
-template <class Voxel>
-struct Many; ///< any number of voxels
+struct ManyVoxels; ///< any number of voxels of any of these types
 struct SplineCoefficients;
 struct Mixture;
 

@@ -27,6 +27,10 @@ struct VoxelsOf
   using Indices = IntNumbers;
 };
 
+/// Any number of voxels of one type.
+template <class Content>
+struct Many;
+
 template <class Content>
 struct VoxelsOf<Many<Content>>
 {
@@ -144,7 +148,7 @@ struct Slope
 };
 
 /// Trilinear interpolation between voxels. The outermost ones extend beyond the volume.
-/// @tparam Content  a type of voxels, or Many of them
+/// @tparam Content  a type of voxels, or Many of it
 template <class Content>
 class PacketVoxels
 {
@@ -304,6 +308,57 @@ private:
   VoxelStrides<Indices> strides;
   Lanes3 lastVoxel;
   bool hasInnerCells;
+};
+
+/// The same of many voxels, whose type is looked up at each place.
+template <>
+class PacketVoxels<ManyVoxels>
+{
+  template <class Read>
+  auto ByType(Read read) const
+  {
+    return ByVoxelType(this->volume.type,
+      [&](auto voxel) { return read(PacketVoxels<Many<decltype(voxel)>>(this->volume)); });
+  }
+
+public:
+  using Cell = PacketVoxels<Many<float>>::Cell;
+
+  explicit PacketVoxels(const PacketVolume& volume)
+    : volume(volume)
+  {
+  }
+
+  Cell CellOf(const Lanes3& positionGrid) const
+  {
+    return PacketVoxels<Many<float>>(this->volume).CellOf(positionGrid);
+  }
+
+  [[gnu::noinline]] Lanes ValueIn(const Cell& cell) const
+  {
+    return this->ByType(
+      [&](const auto& voxels) {
+        return voxels.ValueIn({ cell.index, cell.part });
+      });
+  }
+
+  [[gnu::noinline]] Lanes ValueAt(const Lanes3& positionGrid) const
+  {
+    return this->ByType([&](const auto& voxels) { return voxels.ValueAt(positionGrid); });
+  }
+
+  [[gnu::noinline]] Slope SlopeAt(const Lanes3& positionGrid, LaneMask mask) const
+  {
+    return this->ByType([&](const auto& voxels) { return voxels.SlopeAt(positionGrid, mask); });
+  }
+
+  [[gnu::noinline]] CellCorners CornersOf(const Lanes3& cellGrid) const
+  {
+    return this->ByType([&](const auto& voxels) { return voxels.CornersOf(cellGrid); });
+  }
+
+private:
+  PacketVolume volume;
 };
 
 }

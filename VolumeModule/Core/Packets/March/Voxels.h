@@ -31,18 +31,58 @@ Lanes ValuesAt(const Voxel* first, const Indices& index)
   }
 }
 
+/// Voxels of a type.
+template <class Content>
+class BoxValues
+{
+public:
+  explicit BoxValues(const PacketVolume& volume)
+    : first(static_cast<const Voxel*>(volume.voxels))
+    , strides(volume.voxelCount)
+  {
+  }
+
+  Lanes Of(IntLanes x, IntLanes y, IntLanes z) const
+  {
+    return ValuesAt(this->first, this->strides.IndexOf(x, y, z));
+  }
+
+private:
+  using Voxel = typename VoxelsOf<Content>::Voxel;
+
+  const Voxel* first;
+  VoxelStrides<typename VoxelsOf<Content>::Indices> strides;
+};
+
+/// Many voxels, whose type is looked up each time.
+template <>
+class BoxValues<ManyVoxels>
+{
+public:
+  explicit BoxValues(const PacketVolume& volume)
+    : volume(volume)
+  {
+  }
+
+  [[gnu::noinline]] Lanes Of(IntLanes x, IntLanes y, IntLanes z) const
+  {
+    return ByVoxelType(this->volume.type,
+      [&](auto voxel) { return BoxValues<Many<decltype(voxel)>>(this->volume).Of(x, y, z); });
+  }
+
+private:
+  PacketVolume volume;
+};
+
 /// The boxes, as the cells of a lattice. The outermost ones extend beyond the volume.
-/// @tparam Content  a type of voxels, or Many of them
+/// @tparam Content  see PacketTile.h
 template <class Content>
 class PacketBoxes
 {
 public:
-  using Voxel = typename VoxelsOf<Content>::Voxel;
-
   explicit PacketBoxes(const PacketVolume& volume)
-    : first(static_cast<const Voxel*>(volume.voxels))
+    : values(volume)
     , count(volume.voxelCount)
-    , strides(volume.voxelCount)
   {
   }
 
@@ -54,9 +94,8 @@ public:
   /// @param voxel  whole numbers
   Lanes ValueOf(const Lanes3& voxel) const
   {
-    return ValuesAt(this->first,
-      this->strides.IndexOf(
-        this->WithinAxis(voxel.x, 0), this->WithinAxis(voxel.y, 1), this->WithinAxis(voxel.z, 2)));
+    return this->values.Of(
+      this->WithinAxis(voxel.x, 0), this->WithinAxis(voxel.y, 1), this->WithinAxis(voxel.z, 2));
   }
 
   /// Differences one voxel to either side.
@@ -87,9 +126,8 @@ private:
     return Truncated(Clamp(voxel, Lanes{}, All(float(this->count[axis] - 1))));
   }
 
-  const Voxel* first;
+  BoxValues<Content> values;
   glm::ivec3 count;
-  VoxelStrides<typename VoxelsOf<Content>::Indices> strides;
 };
 
 /// Marches from face to face: each box is read once, and its integral is exact.
