@@ -283,6 +283,15 @@ TEST(Occlusion, IsLeftOutWhileSomebodyInteractsAndKeptForTheStillImage)
   EXPECT_LT(apart(moving, without), 0.2 * apart(still, without));
 }
 
+TEST(Occlusion, OfAVolumeThatDoesNotFitIsThatOfOneThatDoes)
+{
+  OccludedTorso torso(16);
+  const std::vector<float> whole = torso.scene.DrawByProcessor();
+  torso.scene.mapper->SetMaximumGraphicsMemory(60000);
+  EXPECT_EQ(torso.scene.DrawByProcessor(), whole);
+  EXPECT_LE(torso.scene.mapper->GetGraphicsMemoryBytes(), 60000);
+}
+
 TEST(Occlusion, ByShadersIsLeftOutWithASentence)
 {
   OccludedTorso torso(16);

@@ -287,10 +287,50 @@ TEST(Shadows, KeepNoLatticeWhereTheyAreOff)
   EXPECT_EQ(torso.scene.mapper->GetLightMemoryBytes(), 0);
 }
 
-TEST(Shadows, OfAVolumeInBlocksAreLeftOutWithASentence)
+namespace
+{
+
+// The volume has 69120 bytes of voxels, so that it does not fit.
+constexpr vtkIdType TooLittleMemory = 60000;
+
+}
+
+TEST(Shadows, OfAVolumeThatDoesNotFitAreThoseOfOneThatDoes)
 {
   ShadowedTorso torso(16);
-  torso.scene.mapper->SetMaximumGraphicsMemory(60000);
+  MapperScene& scene = torso.scene;
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  const std::vector<float> whole = scene.DrawByProcessor();
+  scene.mapper->SetMaximumGraphicsMemory(TooLittleMemory);
+  EXPECT_EQ(scene.DrawByProcessor(), whole);
+  EXPECT_EQ(scene.mapper->GetBlockUploads(), 0) << "packets read the voxels of the caller";
+  EXPECT_LE(scene.mapper->GetGraphicsMemoryBytes(), TooLittleMemory);
+  const int fields = scene.mapper->GetFieldBuilds();
+  scene.renderer->GetActiveCamera()->Azimuth(20.0);
+  scene.DrawByProcessor();
+  EXPECT_EQ(scene.mapper->GetFieldBuilds(), fields) << "it is known that the volume does not fit";
+}
+
+TEST(Shadows, OfAVolumeThatFitsIntoItsBoundAreLeftToTheDevice)
+{
+  ShadowedTorso torso(16);
+  torso.scene.mapper->SetProcessorMarching(true);
+  torso.scene.mapper->SetMaximumGraphicsMemory(100000000);
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl"));
+  torso.scene.mapper->SetMaximumGraphicsMemory(TooLittleMemory);
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.ShaderParts().empty());
+  torso.scene.mapper->ShadowsOff();
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.UsesShaderPart("Resume/Block.glsl")) << "nothing needs packets";
+}
+
+TEST(Shadows, InBlocksOfShadersAreLeftOutWithASentence)
+{
+  ShadowedTorso torso(16);
+  torso.scene.mapper->SetMaximumGraphicsMemory(TooLittleMemory);
+  torso.scene.mapper->SetProcessorMarching(false);
   ExpectedVtkErrors warnings;
   torso.scene.Draw();
   EXPECT_TRUE(torso.scene.UsesShaderPart("Resume/Block.glsl")) << "the volume fits into one block";

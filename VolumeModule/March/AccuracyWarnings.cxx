@@ -33,14 +33,15 @@ std::string LightWarnings(const RayMarcher& marcher)
   if (marcher.LeavesOutShadows())
   {
     warnings +=
-      "The volume has no shadows, because it does not fit into the graphics memory at once. "
-      "Allow more of it, or draw a smaller volume. ";
+      "The volume has no shadows, because it does not fit into the graphics memory at once and "
+      "packets of rays on the processor (ProcessorMarching) cannot draw this scene. Allow more "
+      "graphics memory, or draw a smaller volume. ";
   }
   if (marcher.LeavesOutOcclusion())
   {
     warnings += "The volume has no ambient occlusion: packets of rays on the processor draw it "
-                "(ProcessorMarching), but not in label maps, boxes of voxels, volumes with gaps or "
-                "a bounded graphics memory. ";
+                "(ProcessorMarching), but not in label maps, boxes of voxels or volumes with "
+                "gaps. ";
   }
   if (marcher.Tolerance() && marcher.HasLongShadowSteps())
   {

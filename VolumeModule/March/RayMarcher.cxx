@@ -14,19 +14,49 @@
 namespace varimarch
 {
 
+namespace
+{
+
+// The numbers that decide, apart from the look, whether the device holds a volume only in blocks.
+std::vector<double> DivisionInputsOf(const Frame& frame)
+{
+  const glm::ivec3& voxels = frame.geometry.dimensions;
+  const Viewport& pixels = frame.view.viewport;
+  return { double(frame.device.mostMemoryBytes), double(voxels.x), double(voxels.y),
+    double(voxels.z), double(frame.voxels.components.size()),
+    double(frame.voxels.scalars->GetDataType()), double(frame.settings.mask != Mask::None),
+    double(pixels.width), double(pixels.height) };
+}
+
+}
+
 MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQuality>& quality)
 {
   this->EnterWindow(frame.view.window);
   MarchPlan plan = PlanOf(frame, quality);
   this->accumulator.Begin(frame, plan);
-  this->resources.UpdateVoxels(frame);
-  this->ChooseMarcher(frame, plan);
-  this->resources.Update(frame, plan, this->MemoryOfImages());
+  const std::vector<double> division = DivisionInputsOf(frame);
+  this->UpdateResources(frame, plan, division);
+  // Whether the memory holds the volume is known only with everything else that has to be in it.
+  if (this->resources.IsInBlocks() && frame.settings.shadows && this->dividedBy != division)
+  {
+    this->dividedBy = division;
+    plan = PlanOf(frame, quality);
+    this->UpdateResources(frame, plan, division);
+  }
   if (!this->resources.IsInBlocks())
   {
     this->shaders.ReleaseBlocks(frame.view.window);
   }
   return plan;
+}
+
+void RayMarcher::UpdateResources(
+  const Frame& frame, MarchPlan& plan, const std::vector<double>& division)
+{
+  this->resources.UpdateVoxels(frame);
+  this->ChooseMarcher(frame, plan, this->dividedBy == division);
+  this->resources.Update(frame, plan, this->MemoryOfImages());
 }
 
 std::optional<CommonSteps> RayMarcher::FindSteps(const Frame& frame)
@@ -67,9 +97,10 @@ void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
   this->window = newWindow;
 }
 
-void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
+void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivided)
 {
-  if (CanMarchByPackets(frame, this->resources))
+  if (ReasonForPackets(frame, isDivided) != PacketReason::None &&
+    CanMarchByPackets(frame, this->resources))
   {
     plan.marcher = Marcher::Processor;
     if (IsMixture(frame))
@@ -215,6 +246,7 @@ void RayMarcher::Release(vtkWindow* releasedWindow)
   this->accumulator.Release(releasedWindow);
   this->passes.Release(releasedWindow);
   this->tolerance.Forget();
+  this->dividedBy.clear();
   this->window = nullptr;
 }
 

@@ -73,7 +73,8 @@ public:
   /// True if the table of a transfer function misses parts of it.
   bool MissesCurve() const { return this->resources.MissesCurve(); }
   bool MergesValues() const { return this->resources.MergesValues(); }
-  /// True if shadows are requested, but left out because a shader sees one block at a time.
+  /// True if shadows are requested, but left out because a shader sees one block at a time and
+  /// packets of rays cannot march.
   bool LeavesOutShadows() const { return this->leavesOutShadows; }
   /// True if ambient occlusion is requested, but left out because shaders march.
   bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
@@ -94,7 +95,10 @@ private:
   /// Updates the resources of a frame, and plans its march.
   MarchPlan Prepare(const Frame& frame, const std::optional<PictureQuality>& quality);
   void EnterWindow(vtkOpenGLRenderWindow* window);
-  void ChooseMarcher(const Frame& frame, MarchPlan& plan);
+  /// Chooses the marcher, and updates everything that it reads.
+  /// @param division  the inputs of the volume's division into blocks
+  void UpdateResources(const Frame& frame, MarchPlan& plan, const std::vector<double>& division);
+  void ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivided);
   void SearchSteps(const Frame& frame, MarchPlan& plan);
   void TakeCommonSteps(const Frame& frame, MarchPlan& plan) const;
   ToleranceInputs ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const;
@@ -112,6 +116,8 @@ private:
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };
+  std::vector<double>
+    dividedBy; ///< The inputs of the last division that kept shadows from shaders.
   double usedSampleDistanceMm = 0.0;
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;

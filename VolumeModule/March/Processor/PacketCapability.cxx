@@ -167,13 +167,22 @@ bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 
 }
 
-// Ambient occlusion is drawn by packets on any device. The voxels are examined last, because that
-// takes time.
+// A shader sees one block at a time, and so none of what lies between it and a light. A bound of
+// the graphics memory is about the device, which then draws whatever it can.
+PacketReason ReasonForPackets(const Frame& frame, bool isDivided)
+{
+  if (frame.settings.occlusion || (frame.settings.shadows && isDivided))
+  {
+    return PacketReason::Light;
+  }
+  return IsSoftwareRasterizer() && frame.device.mostMemoryBytes == 0 ? PacketReason::SoftwareOpenGL
+                                                                     : PacketReason::None;
+}
+
+// The voxels are examined last, because that takes time.
 bool CanMarchByPackets(const Frame& frame, SceneResources& resources)
 {
-  const bool may = frame.device.mayMarchOnProcessor &&
-    (IsSoftwareRasterizer() || frame.settings.occlusion) && frame.device.mostMemoryBytes == 0 &&
-    frame.userCode.IsEmpty();
+  const bool may = frame.device.mayMarchOnProcessor && frame.userCode.IsEmpty();
   if (!may || !IsReadByPackets(frame, resources.First()))
   {
     return false;
