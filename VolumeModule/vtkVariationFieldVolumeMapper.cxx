@@ -15,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -58,6 +59,7 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
 
 vtkStandardNewMacro(vtkVariationFieldVolumeMapper);
 vtkInformationKeyMacro(vtkVariationFieldVolumeMapper, LIGHT_SOFTNESS, Double);
+vtkInformationKeyMacro(vtkVariationFieldVolumeMapper, CASTS_SHADOWS, Integer);
 
 vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
   : Private(std::make_unique<Internals>())

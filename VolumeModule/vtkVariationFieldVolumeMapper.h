@@ -94,6 +94,7 @@
 #include <string> // For ReportOnce
 
 class vtkInformationDoubleKey;
+class vtkInformationIntegerKey;
 class vtkImageData;
 class vtkStringArray;
 
@@ -344,8 +345,16 @@ public:
    * composite with shading. The error tolerance holds for the image with its shadows, which takes
    * about three times as long as without and, where shaders draw it, many times as long. The light
    * that reaches the visible parts is kept while the volume, its look and a light stay, in up to an
-   * eighth of a byte for each voxel and light. Opaque geometry casts no shadows, overlapping
-   * volumes and volumes in several blocks have none. Default: off.
+   * eighth of a byte for each voxel and light. Overlapping volumes and volumes in several blocks
+   * have none. Default: off.
+   *
+   * Opaque geometry casts shadows on the volume too: the faces of the renderer's visible actors,
+   * also in assemblies and outside the view, as far as their mappers' clipping planes leave them.
+   * Translucent actors, lines, points, wireframes, glyphs and widgets cast none, nor does a prop
+   * with the key CASTS_SHADOWS set to 0, nor more than two million triangles. Where packets of rays
+   * draw (see ProcessorMarching), the same faces receive the volume's shadows: the colours that VTK
+   * has drawn are multiplied by the part of their light that is left, unless depth peeling or
+   * RenderToImage draws. VTK lets geometry cast shadows on geometry (vtkShadowMapPass).
    */
   vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
   vtkGetMacro(Shadows, vtkTypeBool);
@@ -368,6 +377,12 @@ public:
    * those of its middle. Without the key a light is a point.
    */
   static vtkInformationDoubleKey* LIGHT_SOFTNESS();
+
+  /**
+   * Whether a prop of opaque geometry casts shadows on volumes, a key of
+   * vtkProp::GetPropertyKeys(): 0 if it casts none and receives none. Without the key it does.
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOWS();
 
   ///@{
   /**

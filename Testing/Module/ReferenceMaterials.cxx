@@ -190,13 +190,17 @@ std::shared_ptr<const LightTransmittance> TransmittanceOf(
 
 }
 
-MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance)
+LightReaching LightThroughVolume(MapperScene& scene, double tolerance)
 {
   const auto transmittance =
     TransmittanceOf(scene, std::make_shared<const SceneSamples>(scene), tolerance);
-  return MaterialInShadows(scene,
-    [transmittance](glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)
-    { return transmittance->Towards(positionGrid, towardsWorld, farMm); });
+  return [transmittance](glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)
+  { return transmittance->Towards(positionGrid, towardsWorld, farMm); };
+}
+
+MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance)
+{
+  return MaterialInShadows(scene, LightThroughVolume(scene, tolerance));
 }
 
 MapperScene::Material OccludedMaterial(MapperScene& scene, double tolerance)

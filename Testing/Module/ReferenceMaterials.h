@@ -57,6 +57,10 @@ MapperScene::Material MaterialInLights(MapperScene& scene);
 /// @param reaching  without it, all light reaches every point
 MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching& reaching);
 
+/// The part of a light that the volume lets through, within its cuts. Its voxels and opacities are
+/// those at the time of the call.
+LightReaching LightThroughVolume(MapperScene& scene, double tolerance);
+
 /// The same in the shadows that the volume casts on itself, within its cuts. Its voxels and
 /// opacities are those at the time of the call.
 /// @param tolerance  of the light that reaches a point

@@ -39,6 +39,8 @@ std::vector<RenderSettings> RecipesOfPictures()
     recipes.back().role = ShaderRole::ShowMarchedImage;
     recipes.back().windowLevel = windowLevel;
   }
+  recipes.emplace_back();
+  recipes.back().role = ShaderRole::DimGeometry;
   for (RayPass pass : { RayPass::PeelOutside, RayPass::PeelBetween, RayPass::PeelLast,
          RayPass::PickProp, RayPass::PickVoxel, RayPass::PictureAndDepth })
   {
@@ -205,7 +207,7 @@ std::vector<RenderSettings> RecipesOfShadows()
   plain.shading = true;
   plain.lights = true;
   plain.shadows = true;
-  std::vector<RenderSettings> recipes(10, plain);
+  std::vector<RenderSettings> recipes(12, plain);
   recipes[0].acceleration = Acceleration::Off;
   recipes[1].skipsBricks = false;
   recipes[2].nearest = true;
@@ -221,6 +223,9 @@ std::vector<RenderSettings> RecipesOfShadows()
   recipes[8].shadows = false;
   recipes[8].damping = true;
   recipes[9].softLights = true;
+  recipes[10].casters = true;
+  recipes[11].casters = true;
+  recipes[11].softLights = true;
   return recipes;
 }
 

@@ -121,9 +121,21 @@ TEST(ShaderRecipe, ScatteringAndSoftLightsAreFilesOfTheirSlots)
   EXPECT_EQ(partsOf(false, false, false), (Parts{ "Reach/None.glsl", "Scatter/None.glsl" }));
   EXPECT_EQ(partsOf(false, true, false), (Parts{ "Reach/None.glsl", "Scatter/None.glsl" }));
   EXPECT_EQ(partsOf(true, false, false),
-    (Parts{ "Reach/ShadowRays.glsl", "Cone/None.glsl", "Scatter/None.glsl" }));
+    (Parts{ "Reach/ShadowRays.glsl", "Cone/None.glsl", "Casters/None.glsl", "Scatter/None.glsl" }));
   EXPECT_EQ(partsOf(true, true, true),
-    (Parts{ "Reach/ShadowRays.glsl", "Cone/Disc.glsl", "Scatter/HenyeyGreenstein.glsl" }));
+    (Parts{ "Reach/ShadowRays.glsl", "Cone/Disc.glsl", "Casters/None.glsl",
+      "Scatter/HenyeyGreenstein.glsl" }));
+}
+
+TEST(ShaderRecipe, CastersTakeNothingWithoutShadows)
+{
+  RenderSettings lit = plain;
+  lit.shading = lit.lights = lit.casters = true;
+  const auto has = [](const Parts& parts, const char* file)
+  { return std::find(parts.begin(), parts.end(), file) != parts.end(); };
+  EXPECT_FALSE(has(Changed(lit), "Casters/Triangles.glsl"));
+  lit.shadows = true;
+  EXPECT_TRUE(has(Changed(lit), "Casters/Triangles.glsl"));
 }
 
 TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
@@ -304,7 +316,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 254u);
+  EXPECT_EQ(distinct.size(), 257u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -6,6 +6,7 @@
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/Cuts.h"
 #include "Frame/RequestedPass.h"
+#include "Frame/ShadowCasters.h"
 #include "Frame/SliceSurface.h"
 #include "Frame/UserShaderCode.h"
 #include "Frame/VolumeGeometry.h"
@@ -129,6 +130,7 @@ struct Frame
   Cuts cuts;
   RenderSettings settings; ///< The part of the recipe that the request determines.
   MaterialRequest material;
+  ShadowCasters casters; ///< Only with shadows.
   QualityRequest quality;
   SpanRequest span;
   ImageRequest image;

@@ -240,6 +240,15 @@ void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.cropping = frame.cuts.regions.has_value();
 }
 
+void ChooseCasters(vtkRenderer* renderer, vtkVolume* prop, Frame& frame)
+{
+  if (frame.settings.shadows)
+  {
+    frame.casters = ShadowCastersOf(renderer, prop);
+    frame.settings.casters = !frame.casters.surfaces.empty();
+  }
+}
+
 // Rays through scalars that do not count in an average must be sampled, although invisible.
 void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 {
@@ -306,6 +315,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
     return std::nullopt;
   }
   ChooseLight(mapper, frame);
+  ChooseCasters(renderer, prop, frame);
   ChooseCuts(mapper, frame);
   ChooseAveraged(mapper, frame);
   frame.material.gapOptical = GapOptical(mapper->GetNanColor(), mapper->GetNanOpacity(),

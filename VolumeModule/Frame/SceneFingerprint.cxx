@@ -155,6 +155,7 @@ std::vector<double> VolumeFingerprint(const Frame& frame)
   Numbers numbers = ExtinctionFingerprint(frame);
   Append(numbers, frame.material.OtherNumbers());
   Append(numbers, LightsOf(frame));
+  Append(numbers, frame.casters.fingerprint);
   return numbers;
 }
 

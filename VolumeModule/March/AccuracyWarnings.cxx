@@ -1,9 +1,11 @@
 #include "March/AccuracyWarnings.h"
 
+#include "Core/Geometry/TriangleTree.h"
 #include "March/RayMarcher.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include <sstream>
+#include <string>
 
 namespace varimarch
 {
@@ -42,6 +44,12 @@ std::string LightWarnings(const RayMarcher& marcher)
     warnings += "The volume has no ambient occlusion: packets of rays on the processor draw it "
                 "(ProcessorMarching), but not in label maps, boxes of voxels or volumes with "
                 "gaps. ";
+  }
+  if (marcher.LeavesOutCasters())
+  {
+    warnings += "Opaque geometry casts no shadows, because it has more than " +
+      std::to_string(TriangleTree::MostTriangles) +
+      " triangles. Simplify it, or let parts of it cast none (CASTS_SHADOWS). ";
   }
   if (marcher.Tolerance() && marcher.HasLongShadowSteps())
   {

@@ -104,7 +104,9 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
     constexpr double BeyondAll = 3e38;
     p.shadowReachMm = float(std::min(march.frame.material.shadowReachMm, BeyondAll));
     p.backsLit = march.frame.view.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
-    p.worldOfGridOrigin = glm::dvec3(march.frame.geometry.worldFromGrid[3]);
+    const glm::dvec3 gridOriginWorld(march.frame.geometry.worldFromGrid[3]);
+    p.worldOfGridOrigin = gridOriginWorld;
+    p.originInCasters = gridOriginWorld - march.frame.casters.originWorld;
   }
 }
 

@@ -80,6 +80,7 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
   this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
   this->leavesOutOcclusion = frame.settings.occlusion && plan.marcher == Marcher::Device;
+  this->leavesOutCasters = frame.casters.areTooMany;
   this->hasLongShadowSteps = varimarch::HasLongShadowSteps(MarchOf(frame, plan));
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
@@ -114,6 +115,7 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivid
     plan.marcher = Marcher::Device;
     plan.filters8Bits = this->resources.AnyFits8Bits() && Filters8BitsExactly(frame.view.window);
     this->packets.Release(frame.view.window);
+    this->dimming.Release(frame.view.window);
   }
   plan.sampleDistanceMm =
     std::max(plan.sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
@@ -195,6 +197,10 @@ void RayMarcher::DrawImage(const Frame& frame, const MarchPlan& plan)
     return;
   }
   this->passes.Release(drawnWindow);
+  if (plan.marcher == Marcher::Processor)
+  {
+    this->dimming.Draw(frame, plan);
+  }
   if (plan.mostAccumulated > 0)
   {
     this->resampled.Release(drawnWindow);
@@ -229,7 +235,7 @@ MemoryElsewhere RayMarcher::MemoryOfImages() const
 std::size_t RayMarcher::GraphicsMemoryBytes() const
 {
   return this->resources.Bytes() + this->shaders.Bytes() + this->packets.Bytes() +
-    this->MemoryOfImages().fixedBytes;
+    this->dimming.Bytes() + this->MemoryOfImages().fixedBytes;
 }
 
 void RayMarcher::Release(vtkWindow* releasedWindow)
@@ -242,6 +248,7 @@ void RayMarcher::Release(vtkWindow* releasedWindow)
   this->boxes.Release();
   this->shaders.Release(releasedWindow);
   this->packets.Release(releasedWindow);
+  this->dimming.Release(releasedWindow);
   this->resampled.Release(releasedWindow);
   this->accumulator.Release(releasedWindow);
   this->passes.Release(releasedWindow);

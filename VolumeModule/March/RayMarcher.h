@@ -7,6 +7,7 @@
 #include "March/Device/ShaderMarcher.h"
 #include "March/ImageAccumulator.h"
 #include "March/PassMarch.h"
+#include "March/Processor/GeometryDimming.h"
 #include "March/Processor/PacketMarcher.h"
 #include "March/ResampledMarch.h"
 #include "March/ToleranceSearch.h"
@@ -81,6 +82,8 @@ public:
   /// The memory of the lattices of light, of which only pages that are used are taken.
   std::size_t LightBytes() const { return this->resources.First().Light().Bytes(); }
   int LightLatticeBuilds() const { return this->resources.First().Light().Builds(); }
+  /// True if there is too much opaque geometry for its shadows.
+  bool LeavesOutCasters() const { return this->leavesOutCasters; }
   /// See the function of this name.
   bool HasLongShadowSteps() const { return this->hasLongShadowSteps; }
   /// True if the image may be wrong by any amount, which no trial image shows.
@@ -111,6 +114,7 @@ private:
   BoxDrawing boxes{ resources };
   ShaderMarcher shaders{ resources, boxes, [this] { return this->MemoryOfImages(); } };
   PacketMarcher packets{ resources, boxes };
+  GeometryDimming dimming{ resources, boxes };
   ToleranceSearch tolerance;
   std::optional<CommonSteps> commonSteps;
   ResampledMarch resampled{ resources, boxes };
@@ -123,6 +127,7 @@ private:
   double usedImageSampleDistance = 1.0;
   bool leavesOutShadows = false;
   bool leavesOutOcclusion = false;
+  bool leavesOutCasters = false;
   bool hasLongShadowSteps = false;
 };
 

@@ -108,10 +108,15 @@ double WantedShadowStepMm(const VolumeMarch& march)
 }
 
 // A software rasteriser ends a shader, and with it the ray, after 2^16 iterations of all its loops.
+bool IsEndedByRasterizer(const VolumeMarch& march)
+{
+  return march.settings.shadows && march.plan.marcher == Marcher::Device && IsSoftwareRasterizer();
+}
+
 // A segment takes up to two iterations, one to skip invisible bricks.
 double ShortestShadowStepMm(const VolumeMarch& march)
 {
-  if (!march.settings.shadows || march.plan.marcher != Marcher::Device || !IsSoftwareRasterizer())
+  if (!IsEndedByRasterizer(march))
   {
     return 0.0;
   }
@@ -138,7 +143,9 @@ Viewport RaysOf(const Viewport& frame, double imageSampleDistance)
 
 bool HasLongShadowSteps(const VolumeMarch& march)
 {
-  return WantedShadowStepMm(march) < ShortestShadowStepMm(march);
+  // How many iterations it takes to find triangles depends on the geometry.
+  const bool mayEnd = march.settings.casters && IsEndedByRasterizer(march);
+  return mayEnd || WantedShadowStepMm(march) < ShortestShadowStepMm(march);
 }
 
 RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)

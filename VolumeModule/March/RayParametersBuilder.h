@@ -12,8 +12,9 @@ namespace varimarch
 /// pixel form a regular grid.
 Viewport RaysOf(const Viewport& frame, double imageSampleDistance);
 
-/// True if the segments of rays to lights are longer than the sample distance asks for, because the
-/// device ends shaders that take longer.
+/// True if shadows may be wrong because the device ends shaders that take long: the segments of
+/// rays to lights are longer than the sample distance asks for, or rays look for opaque geometry
+/// too.
 bool HasLongShadowSteps(const VolumeMarch& march);
 
 /// The parameters of a march that follow from the frame alone. Parameters of earlier drawings, such

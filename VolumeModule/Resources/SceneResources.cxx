@@ -101,6 +101,7 @@ void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryEls
 {
   this->UpdateDepth(frame, plan);
   this->UpdateNoise(frame, plan);
+  this->casters.Update(frame, plan.marcher);
   this->UpdateOthers(frame, plan);
   if (plan.marcher == Marcher::Device)
   {
@@ -173,6 +174,7 @@ RayTextures SceneResources::Textures() const
   RayTextures textures = {};
   textures.depthTexture = this->depth.Texture();
   textures.noiseTexture = this->noise.Texture();
+  textures.casterTree = this->casters.Tree();
   textures.clippingPlanes = this->first.ClippingPlanes();
   return textures;
 }
@@ -202,7 +204,7 @@ bool SceneResources::IsNothingDrawn() const
 
 std::size_t SceneResources::BytesBesideFirst() const
 {
-  std::size_t bytes = this->depth.Bytes() + this->noise.Bytes();
+  std::size_t bytes = this->depth.Bytes() + this->noise.Bytes() + this->casters.Bytes();
   for (const Volumes* volumes : { &this->others, &this->coarser })
   {
     for (const auto& volume : *volumes)
@@ -225,6 +227,7 @@ void SceneResources::Release(vtkWindow* window)
   this->first.Release(window);
   this->depth.Release(window);
   this->noise.Release(window);
+  this->casters.Release(window);
 }
 
 }

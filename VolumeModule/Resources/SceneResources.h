@@ -4,6 +4,7 @@
 #include "Core/Geometry/Box.h"
 #include "Frame/MarchPlan.h"
 #include "Resources/BlueNoiseTexture.h"
+#include "Resources/CasterResources.h"
 #include "Resources/SceneDepthTexture.h"
 #include "Resources/VolumeResources.h"
 
@@ -42,6 +43,7 @@ public:
   /// The coarse level. Requires a frame that has one.
   VolumeResources& Coarser() { return *this->coarser.front(); }
   SceneDepthTexture& Depth() { return this->depth; }
+  const CasterResources& Casters() const { return this->casters; }
   /// The textures of the rays, apart from results of other drawings.
   RayTextures Textures() const;
 
@@ -71,6 +73,7 @@ private:
   std::vector<std::unique_ptr<VolumeResources>> coarser; ///< The coarse level, or none.
   SceneDepthTexture depth;
   BlueNoiseTexture noise;
+  CasterResources casters;
   Box drawnBox = {};
 };
 

@@ -10,3 +10,5 @@ uniform sampler2D coarseTexture;   // image with fewer or more rays than pixels
 uniform sampler2D sumTexture;      // sum of accumulated images
 // Images that the processor has marched, one after another, each row by row from below.
 uniform samplerBuffer marchedTexture;
+// A TriangleTree of the opaque geometry that casts shadows; see originInCasters.
+uniform samplerBuffer casterTree;

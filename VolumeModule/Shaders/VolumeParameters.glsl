@@ -58,6 +58,7 @@ layout(std140) uniform VolumeParameters
   mat3 gridFromWorld;     // for directions only [1/mm]
   vec3 ambientLight;      // light that the ambient coefficient multiplies, of all lights
   vec3 worldOfGridOrigin; // world position of the grid's origin [mm]
+  vec3 originInCasters;   // position of that origin in casterTree, which has the world's axes [mm]
 
   // Projections.
   vec4 smallestScalars; // smallest value of each component

@@ -103,6 +103,20 @@ float MeanTransmitted(vec3 originGrid, vec3 towards, float farMm, float coneHeig
 // The part that comes along one direction, by Reach/ShadowRays.glsl.
 float Transmitted(vec3 originGrid, vec3 towards, float farMm);
 
+// The way from a place to the middle of a light, by Reach/ShadowRays.glsl.
+struct WayToLight
+{
+  vec3 towards; // unit vector, in the world
+  float farMm;  // its length
+};
+WayToLight WayTo(vec3 placeOfLight, bool isDistant, vec3 originGrid);
+
+// --- Casters: opaque geometry between lights and the volume. Only for Reach/ShadowRays.glsl ---
+// The parts of the lights that geometry leaves. Lights that are cones have lost theirs already.
+Reach LeftByCasters(Reach reach, vec3 originGrid);
+// True if no geometry lies on a way.
+bool CastersLeave(vec3 originGrid, vec3 towards, float farMm);
+
 // --- Scatter: the light that goes from a point to the eye. Only for Shade/Lights.glsl ---
 // The diffuse and the specular part of a light.
 // @param reflected  the parts that a surface reflects of it

@@ -181,6 +181,11 @@ inline Lanes Dot(const Lanes3& a, const Lanes3& b)
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+inline Lanes3 Cross(const Lanes3& a, const Lanes3& b)
+{
+  return { a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
+}
+
 inline Lanes Length(const Lanes3& a)
 {
   return Sqrt(Dot(a, a));

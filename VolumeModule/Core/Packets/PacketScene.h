@@ -185,6 +185,16 @@ struct PacketLocation
   bool orExit;        ///< true: all other rays have the place where they end; false: 0
 };
 
+/// A request for the light that a volume lets through to places [grid space], instead of colours:
+/// the parts of four lights, as the four numbers of a pixel.
+struct PacketReceivers
+{
+  const glm::vec4* places; ///< places of the pixels, with 1 as fourth number, or 0 where there
+                           ///< is no place; null: pixels are colours
+  Viewport pixels;         ///< the pixels that have places
+  int firstLight;          ///< the first of the four lights
+};
+
 /// The components that give a material its colours: Shaders/Components/LuminanceOpacity.glsl and
 /// Rgba.glsl.
 struct PacketColors
@@ -240,7 +250,8 @@ struct PacketScene
   PacketCuts cuts;
   PacketDepths depths;
   PacketLocation location;
-  PacketColors colors; ///< only in a mixture
+  PacketReceivers receivers; ///< not in a mixture
+  PacketColors colors;       ///< only in a mixture
   PacketConstituent constituent;
   PacketLevels levels; ///< not in a mixture
   PacketRule rule;

@@ -34,7 +34,8 @@ struct PacketPiece
 };
 
 /// The march through one content of a tile, see PacketTile.h: a function Along(piece) that returns
-/// the sum at the end of the rays.
+/// the sum at the end of the rays, and LightOn(scene, x, y), which returns
+/// the light on the places of a packet.
 template <class Content>
 struct MarchOf;
 
@@ -122,6 +123,10 @@ inline Lanes4 ColorsOf(const PacketSum& sum)
 template <class Content>
 Lanes4 DrawPacket(const PacketScene& scene, int x, int y)
 {
+  if (scene.receivers.places)
+  {
+    return MarchOf<Content>::LightOn(scene, x, y);
+  }
   if (!IsVisible(scene.depths, x, y))
   {
     return ColorsOf(PacketSum());

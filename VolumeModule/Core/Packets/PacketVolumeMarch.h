@@ -19,6 +19,7 @@
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
 #include "Core/Packets/Reach/DimmedMaterial.h"
+#include "Core/Packets/Reach/LightOnPlaces.h"
 
 namespace varimarch
 {
@@ -135,6 +136,11 @@ struct MarchOf
   {
     return MarchByRule<Voxel>(piece.scene, piece.rays, piece.walk, piece.before);
   }
+
+  static Lanes4 LightOn(const PacketScene& scene, int x, int y)
+  {
+    return LightOnPlaces<PacketVoxels<Voxel>>(scene, PlacesOfPacket(scene, x, y));
+  }
 };
 
 template <>
@@ -143,6 +149,11 @@ struct MarchOf<SplineCoefficients>
   static PacketSum Along(const PacketPiece& piece)
   {
     return MarchSampled<PacketSpline>(piece.scene, piece.rays, piece.walk, piece.before);
+  }
+
+  static Lanes4 LightOn(const PacketScene& scene, int x, int y)
+  {
+    return LightOnPlaces<PacketSpline>(scene, PlacesOfPacket(scene, x, y));
   }
 };
 

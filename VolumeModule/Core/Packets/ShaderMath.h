@@ -31,6 +31,7 @@ inline Lanes Absorption(Lanes depth)
 #define vec4 Lanes4
 #define abs Abs
 #define clamp Clamp
+#define cross Cross
 #define dot Dot
 #define exp Exp
 #define floor Floor
@@ -55,6 +56,7 @@ inline Lanes Absorption(Lanes depth)
 #include "Shaders/Math/LightCone.glsl"
 #include "Shaders/Math/Planes.glsl"
 #include "Shaders/Math/PreIntegration.glsl"
+#include "Shaders/Math/RayTriangle.glsl"
 #include "Shaders/Math/ShadowSteps.glsl"
 #include "Shaders/Math/Span.glsl"
 #include "Shaders/Math/Tables.glsl"
@@ -68,6 +70,7 @@ inline Lanes Absorption(Lanes depth)
 #undef vec4
 #undef abs
 #undef clamp
+#undef cross
 #undef dot
 #undef exp
 #undef floor

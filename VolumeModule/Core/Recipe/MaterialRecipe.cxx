@@ -68,6 +68,7 @@ std::vector<std::string> LightParts(const RenderSettings& settings)
   if (settings.shadows)
   {
     parts.push_back(settings.softLights ? "Cone/Disc.glsl" : "Cone/None.glsl");
+    parts.push_back(settings.casters ? "Casters/Triangles.glsl" : "Casters/None.glsl");
   }
   parts.push_back(settings.scattering ? "Scatter/HenyeyGreenstein.glsl" : "Scatter/None.glsl");
   return parts;

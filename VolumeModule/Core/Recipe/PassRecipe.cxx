@@ -143,14 +143,19 @@ std::vector<std::string> PassParts(const RenderSettings& settings)
   return parts;
 }
 
-// A shader without a march: it writes the layer depths that the CPU's march needs, or shows its
-// image.
+// A shader without a march: it writes the layer depths that the CPU's march needs, shows its image,
+// or dims the geometry that the volume takes light from.
 std::vector<std::string> PacketParts(const RenderSettings& settings)
 {
   const RayPass pass = settings.pass;
   if (settings.role == ShaderRole::WriteLayerDepths)
   {
     return { "RayParameters.glsl", PeelFile(pass), "Marched/LayerDepths.frag.glsl" };
+  }
+  if (settings.role == ShaderRole::DimGeometry)
+  {
+    return { "RayParameters.glsl", "RayTextures.glsl", "MarchedPixels.glsl",
+      "Marched/Factors.frag.glsl" };
   }
   std::vector<std::string> parts = { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl",
     WindowFile(settings), "MarchedPixels.glsl" };

@@ -103,6 +103,7 @@ enum class ShaderRole
   MarchRays,        ///< The shader marches the rays itself.
   WriteLayerDepths, ///< The shader writes where rays enter and leave layers, for the CPU's march.
   ShowMarchedImage, ///< The shader draws the image that the CPU has marched.
+  DimGeometry,      ///< The shader multiplies the framebuffer by factors that the CPU has computed.
 };
 
 /// The work of one drawing on the rays of an image.
@@ -171,6 +172,7 @@ struct RenderSettings
   bool lights = false;     ///< all lights of the scene, not only a head light
   bool shadows = false;    ///< these lights cast shadows; requires lights; composites only
   bool softLights = false; ///< some of these lights are as wide as cones; with shadows only
+  bool casters = false;    ///< opaque geometry casts shadows too; with shadows only
   bool scattering = false; ///< matter scatters light; requires lights; composites only
   bool occlusion = false;  ///< ambient occlusion, by packets only; composites of one component only
   Mask mask = Mask::None;

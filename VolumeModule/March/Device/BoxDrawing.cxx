@@ -24,6 +24,7 @@ enum class Blending
   OverFramebuffer,  ///< Premultiplied colours are drawn over the framebuffer.
   Overwrite,        ///< Colours replace those in the framebuffer.
   AddToFramebuffer, ///< Colours are added to those in the framebuffer.
+  Multiply,         ///< Colours in the framebuffer are multiplied by those that are drawn.
   CallersState      ///< The caller's blend state is kept.
 };
 
@@ -33,6 +34,10 @@ Blending BlendingOf(const VolumeMarch& march)
   if (march.settings.role == ShaderRole::WriteLayerDepths)
   {
     return Blending::Overwrite;
+  }
+  if (march.settings.role == ShaderRole::DimGeometry)
+  {
+    return Blending::Multiply;
   }
   if (Peels(pass))
   {
@@ -61,7 +66,12 @@ public:
     state->vtkglGetIntegerv(GL_CULL_FACE_MODE, &this->cullFaceMode);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
-    if (blending != Blending::CallersState)
+    if (blending == Blending::Multiply)
+    {
+      state->SetEnumState(GL_BLEND, true);
+      state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    }
+    else if (blending != Blending::CallersState)
     {
       const GLenum factor =
         blending == Blending::AddToFramebuffer ? GL_ONE : GL_ONE_MINUS_SRC_ALPHA;
@@ -178,7 +188,7 @@ RayParameters BoxDrawing::ParametersOfRays(
     glm::dvec2(this->resources.Depth().SizePixels()) / glm::dvec2(viewport.width, viewport.height);
   rays.imageCount = float(earlier.imageCount);
   rays.rowsOfNext = earlier.rowsOfNext;
-  if (march.settings.role == ShaderRole::ShowMarchedImage)
+  if (earlier.marched)
   {
     const Viewport& pixels = earlier.marchedPixels;
     rays.marchedColumns = pixels.width;

@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkType.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -30,7 +31,28 @@ void PacketPicture::March(
 {
   this->pixels = newPixels;
   const std::size_t countOfPicture = std::size_t(this->pixels.width) * this->pixels.height;
-  const std::size_t newCount = scenes.size() * countOfPicture;
+  this->Write(window, scenes.size() * countOfPicture,
+    [&](float* rgba)
+    {
+      for (const PacketScene& scene : scenes)
+      {
+        MarchPackets(scene, this->pixels, rgba);
+        rgba += 4 * countOfPicture;
+      }
+    });
+}
+
+void PacketPicture::Take(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& rgba, const Viewport& newPixels)
+{
+  this->pixels = newPixels;
+  this->Write(
+    window, rgba.size() / 4, [&](float* texels) { std::copy(rgba.begin(), rgba.end(), texels); });
+}
+
+void PacketPicture::Write(vtkOpenGLRenderWindow* window, std::size_t newCount,
+  const std::function<void(float* rgba)>& write)
+{
   if (newCount > this->count)
   {
     this->Allocate(window, newCount);
@@ -43,12 +65,7 @@ void PacketPicture::March(
     this->buffer->Release();
     Fail(this->pixels, "memory does not suffice");
   }
-  float* picture = static_cast<float*>(rgba);
-  for (const PacketScene& scene : scenes)
-  {
-    MarchPackets(scene, this->pixels, picture);
-    picture += 4 * countOfPicture;
-  }
+  write(static_cast<float*>(rgba));
   glUnmapBuffer(GL_TEXTURE_BUFFER);
   this->buffer->Release();
 }

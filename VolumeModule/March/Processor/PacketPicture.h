@@ -8,6 +8,7 @@
 #include "vtkTextureObject.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -26,6 +27,11 @@ public:
   void March(vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes,
     const Viewport& newPixels);
 
+  /// Takes an image that was computed in another way.
+  /// @param rgba  four numbers for each of the pixels
+  void Take(
+    vtkOpenGLRenderWindow* window, const std::vector<float>& rgba, const Viewport& newPixels);
+
   /// Premultiplied RGBA of the pixels that were marched last, row by row and image by image.
   vtkTextureObject* Texture() const { return this->texture; }
   const Viewport& Pixels() const { return this->pixels; } ///< The pixels that were marched last.
@@ -33,6 +39,8 @@ public:
   void Release(vtkWindow* window);
 
 private:
+  void Write(vtkOpenGLRenderWindow* window, std::size_t newCount,
+    const std::function<void(float* rgba)>& write);
   void Allocate(vtkOpenGLRenderWindow* window, std::size_t newCount);
 
   vtkNew<vtkOpenGLBufferObject> buffer;

@@ -48,6 +48,7 @@ void PacketScenes::AddCoarser(
   const VolumeMarch level = MarchOfCoarser(march.frame, march.plan);
   PacketSurroundings around = SurroundingsOfOther(level.frame);
   around.textures.noiseTexture = this->first.around.textures.noiseTexture;
+  around.textures.casterTree = this->first.around.textures.casterTree;
   this->coarser.emplace(level, resources.Coarser(), std::move(around), pixels);
   PacketScene& scene = this->coarser->scene;
   scene.depths = {};

@@ -29,7 +29,9 @@ float MeanTransmitted(vec3 originGrid, vec3 towards, float farMm, float coneHeig
   {
     vec3 point = DiscPoint(i);
     vec3 direction = DirectionInCone(towards, coneHeight, point.x, point.y);
-    sum += point.z * Transmitted(originGrid, direction, farMm);
+    sum += CastersLeave(originGrid, direction, farMm)
+      ? point.z * Transmitted(originGrid, direction, farMm)
+      : 0.0;
   }
   return sum;
 }

@@ -72,15 +72,19 @@ float Transmitted(vec3 originGrid, vec3 towards, float farMm)
   return exp(-DepthAlong(ray, farMm));
 }
 
+WayToLight WayTo(vec3 placeOfLight, bool isDistant, vec3 originGrid)
+{
+  vec3 positionWorld = worldFromGrid * originGrid + worldOfGridOrigin;
+  vec3 toLight = isDistant ? placeOfLight : placeOfLight - positionWorld;
+  float distanceMm = max(length(toLight), 1e-15);
+  return WayToLight(toLight / distanceMm, min(isDistant ? BeyondAll : distanceMm, shadowReachMm));
+}
+
 float TransmittedFrom(int light, vec3 originGrid)
 {
   vec4 place = texelFetch(lightTexels, TexelsPerLight * light);
-  vec3 positionWorld = worldFromGrid * originGrid + worldOfGridOrigin;
-  bool isDistant = light < distantCount;
-  vec3 toLight = isDistant ? place.xyz : place.xyz - positionWorld;
-  float distanceMm = max(length(toLight), 1e-15);
-  float farMm = min(isDistant ? BeyondAll : distanceMm, shadowReachMm);
-  return MeanTransmitted(originGrid, toLight / distanceMm, farMm, place.w);
+  WayToLight way = WayTo(place.xyz, light < distantCount, originGrid);
+  return MeanTransmitted(originGrid, way.towards, way.farMm, place.w);
 }
 
 // The parts of the lights at t, from rays to each of them.
@@ -136,8 +140,9 @@ Reach ReachAt(Ray ray, float t)
     reachTo = TracedReach(ray, tracedTo);
   }
   float along = (t - tracedFrom) / (tracedTo - tracedFrom);
-  return Reach(LightBetween(reachFrom.first, reachTo.first, along),
+  Reach reach = Reach(LightBetween(reachFrom.first, reachTo.first, along),
     LightBetween(reachFrom.second, reachTo.second, along));
+  return LeftByCasters(reach, ray.originGrid + t * ray.directionGrid);
 }
 
 float Reaching(Reach reach, int light)

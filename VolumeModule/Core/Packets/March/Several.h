@@ -66,6 +66,12 @@ template <>
 struct MarchOf<Mixture>
 {
   static PacketSum Along(const PacketPiece& piece) { return MarchBehind(piece, 0, nullptr); }
+
+  // Mixtures cast no shadows.
+  static Lanes4 LightOn(const PacketScene&, int, int)
+  {
+    return { All(1.0f), All(1.0f), All(1.0f), All(1.0f) };
+  }
 };
 
 }

@@ -5,6 +5,7 @@
 
 #include "Core/Packets/Cone/Disc.h"
 #include "Core/Packets/Flattened.h"
+#include "Core/Packets/Reach/Casters.h"
 #include "Core/Packets/Reach/GatheredLight.h"
 #include "Core/Packets/Reach/LightCells.h"
 #include "Core/Packets/Reach/OpenSky.h"
@@ -18,7 +19,8 @@ namespace
 
 static_assert(MostShadows == MostShadowedLights);
 
-/// The part of a light that reaches places in a volume.
+/// The part of a light that reaches places in a volume. If the light is a point, geometry leaves
+/// all of it: its shadows have edges, which DimmedMaterial finds.
 template <class Voxels>
 class TracedLight
 {
@@ -28,17 +30,54 @@ public:
     : scene(scene)
     , voxels(voxels)
     , light(scene, light)
+    , casters(scene, light)
     , cells(scene.shadows.nodes[light], scene.shadows.shape)
   {
   }
 
   Lanes At(const Lanes3& placeGrid, LaneMask mask) const
   {
+    return this->light.ConeHeight() > 0.0f && Casters::AreIn(this->scene)
+      ? this->LeftOfConeAt(placeGrid, mask)
+      : this->ThroughVolume(placeGrid, mask);
+  }
+
+  /// The part that the volume alone lets through.
+  Lanes ThroughVolume(const Lanes3& placeGrid, LaneMask mask) const
+  {
     return this->light.ConeHeight() > 0.0f ? this->OfConeAt(placeGrid, mask)
                                            : this->OfPointAt(placeGrid, mask);
   }
 
 private:
+  // Directions are traced one by one only where geometry hides some of them.
+  [[gnu::noinline]] Lanes LeftOfConeAt(const Lanes3& placeGrid, LaneMask mask) const
+  {
+    constexpr float Nothing = 1e-4f; // less than the weight of any direction
+    const Lanes left = this->casters.PartOfCone(placeGrid, mask);
+    const LaneMask isWhole = mask & LaneMask(left > 1.0f - Nothing);
+    const LaneMask isPart = mask & ~isWhole & LaneMask(left > Nothing);
+    Lanes light = {};
+    if (Any(isWhole))
+    {
+      light = Select(isWhole, this->OfConeAt(placeGrid, isWhole), light);
+    }
+    if (Any(isPart))
+    {
+      const Lanes part = MeanOverCone(this->light.ConeHeight(),
+        [&](const auto& turned)
+        {
+          const LaneMask leaves = this->casters.Leave(placeGrid, isPart, turned);
+          return Select(leaves,
+            this->AtEndOf(this->light.RaysFrom(placeGrid, turned), leaves,
+              this->scene.rays.shadowStepMm, NothingIsKnown()),
+            Lanes{});
+        });
+      light = Select(isPart, part, light);
+    }
+    return light;
+  }
+
   Lanes OfPointAt(const Lanes3& placeGrid, LaneMask mask) const
   {
     const PacketRays rays = this->light.RaysFrom(placeGrid);
@@ -152,6 +191,7 @@ private:
   const PacketScene& scene;
   const Voxels& voxels;
   ShadowedLight light;
+  Casters casters;
   LightCells cells;
 };
 
@@ -215,7 +255,23 @@ private:
       Absorption(Min(look.extinction * part.lengthMm, All(100.0f)));
     return PacketLights(this->scene, ReflectanceOf(this->scene), this->directionWorld)
       .LitApart(look.color, surface, this->WorldAt(part.t), this->lightCount,
-        [&](int light, const Lanes3& own) { this->gathered.Add(light, seen * own); });
+        [&](int light, const Lanes3& own)
+        { this->gathered.Add(light, this->LeftByCasters(light, seen, part, isSeen) * own); });
+  }
+
+  // How much an eye sees of the light on a part of the rays that geometry leaves.
+  Lanes LeftByCasters(int light, Lanes seen, const RayPart& part, LaneMask isSeen)
+  {
+    if (!Casters::AreIn(this->scene) || ShadowedLight(this->scene, light).ConeHeight() > 0.0f)
+    {
+      return seen;
+    }
+    const Casters casters(this->scene, light);
+    const Lanes half = 0.5f * part.lengthMm;
+    return seen *
+      this->edges[light].LitFraction(this->rays, part.t - half, part.t + half, isSeen,
+        this->scene.rays.shadowStepMm,
+        [&](Lanes t, LaneMask mask) { return casters.Leave(this->rays.At(t), mask); });
   }
 
   // The places at which surfaces see what is around them: off the side on which there would be less
@@ -294,6 +350,7 @@ private:
 
   Voxels voxels;
   int lightCount; ///< number of lights that cast shadows
+  CasterEdges edges[MostShadowedLights];
   GatheredLight gathered;
 };
 

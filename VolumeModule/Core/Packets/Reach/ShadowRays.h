@@ -216,6 +216,25 @@ public:
   /// 1 - the cosine of half the angle of its cone; 0: it is a point.
   float ConeHeight() const { return this->texel.w; }
 
+  /// The way from places to its middle.
+  struct Way
+  {
+    Lanes3 towardsWorld; ///< unit vectors
+    Lanes distanceMm;
+  };
+
+  Way WayFrom(const Lanes3& originGrid) const
+  {
+    const VolumeParameters& p = this->scene.parameters;
+    const Lanes3 positionWorld =
+      Transformed(p.worldFromGrid, originGrid) + AllOf3(p.worldOfGridOrigin);
+    const Lanes3 toLight =
+      this->isDistant ? AllOf3(this->texel) : AllOf3(this->texel) - positionWorld;
+    const Lanes distanceMm = Max(Length(toLight), 1e-15f);
+    return { (1.0f / distanceMm) * toLight,
+      Min(this->isDistant ? All(Never) : distanceMm, All(p.shadowReachMm)) };
+  }
+
   /// The rays to its middle, as far as the volume and its clipping planes leave them.
   PacketRays RaysFrom(const Lanes3& originGrid) const
   {
@@ -227,19 +246,15 @@ public:
   template <class Turned>
   PacketRays RaysFrom(const Lanes3& originGrid, Turned turned) const
   {
-    const VolumeParameters& p = this->scene.parameters;
-    const Lanes3 positionWorld =
-      Transformed(p.worldFromGrid, originGrid) + AllOf3(p.worldOfGridOrigin);
-    const Lanes3 toLight =
-      this->isDistant ? AllOf3(this->texel) : AllOf3(this->texel) - positionWorld;
-    const Lanes distanceMm = Max(Length(toLight), 1e-15f);
+    const Way way = this->WayFrom(originGrid);
     PacketRays rays;
     rays.originGrid = originGrid;
-    rays.directionGrid = Transformed(p.gridFromWorld, turned((1.0f / distanceMm) * toLight));
+    rays.directionGrid =
+      Transformed(this->scene.parameters.gridFromWorld, turned(way.towardsWorld));
     rays.inverse = SafeInverse(rays.directionGrid);
     rays.region = IntLanes{};
     rays.enter = Lanes{};
-    rays.exit = Min(this->isDistant ? All(Never) : distanceMm, All(p.shadowReachMm));
+    rays.exit = way.distanceMm;
     KeepUncut(rays, this->scene);
     return rays;
   }

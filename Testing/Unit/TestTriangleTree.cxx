@@ -1,0 +1,209 @@
+// The tree of triangles, walked by packets and by single rays, against all triangles one by one in
+// double precision.
+
+#include "Core/Geometry/TriangleTree.h"
+#include "Core/Packets/Reach/MeetTriangles.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+using namespace varimarch;
+
+namespace
+{
+
+struct OneRay
+{
+  glm::dvec3 origin;
+  glm::dvec3 direction;
+};
+
+// A triangle that a ray meets, and how far inside of it.
+struct TrueHit
+{
+  double t = std::numeric_limits<double>::infinity();
+  double inside = 0.0; ///< The least barycentric coordinate; near 0 the ray grazes an edge.
+};
+
+// Cramer's rule for origin + t direction = first + u (second - first) + v (third - first).
+TrueHit HitOf(const Triangle& triangle, const OneRay& ray)
+{
+  const glm::dvec3 first(triangle[0]);
+  const glm::dvec3 a = glm::dvec3(triangle[1]) - first;
+  const glm::dvec3 b = glm::dvec3(triangle[2]) - first;
+  const glm::dvec3 c = ray.origin - first;
+  const double all = glm::dot(glm::cross(a, b), -ray.direction);
+  const double u = glm::dot(glm::cross(c, b), -ray.direction) / all;
+  const double v = glm::dot(glm::cross(a, c), -ray.direction) / all;
+  const double t = glm::dot(glm::cross(a, b), c) / all;
+  return { t, std::min({ u, v, 1.0 - u - v }) };
+}
+
+constexpr double Grazing = 1e-3; ///< rays that are as near to an edge are not compared
+
+// The nearest triangle; nothing if a ray grazes any edge.
+std::optional<TrueHit> NearestOf(const std::vector<Triangle>& triangles, const OneRay& ray)
+{
+  TrueHit nearest;
+  for (const Triangle& triangle : triangles)
+  {
+    const TrueHit hit = HitOf(triangle, ray);
+    if (std::abs(hit.inside) < Grazing && hit.t > -1.0)
+    {
+      return std::nullopt;
+    }
+    if (hit.inside > 0.0 && hit.t > 0.0 && hit.t < nearest.t)
+    {
+      nearest = hit;
+    }
+  }
+  return nearest;
+}
+
+std::optional<TriangleHit> NearestOfTree(
+  const TriangleTree& tree, const OneRay& ray, float exit = 1e30f)
+{
+  return NearestTriangle(
+    tree.Texels().data(), glm::vec3(ray.origin), glm::vec3(ray.direction), exit);
+}
+
+bool IsMetByLanes(const TriangleTree& tree, const OneRay& ray, float exit)
+{
+  const TreeRays rays = { AllOf3(ray.origin), AllOf3(ray.direction), All(exit) };
+  const LaneMask all = AllInt(-1);
+  const LaneMask met = MeetTriangles(tree.Texels().data(), rays, all);
+  EXPECT_EQ(Any(met), !Any(~met)) << "equal rays differ";
+  return Any(met);
+}
+
+// Random triangles, of which all lanes and single rays must find the same as brute force.
+void ExpectTruth(int count, double side, glm::dvec3 center)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const auto place = [&] { return glm::dvec3(number(random), number(random), number(random)); };
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::dvec3 at = center + 10.0 * place();
+    triangles.push_back({ glm::vec3(at + side * place()), glm::vec3(at + side * place()),
+      glm::vec3(at + side * place()) });
+  }
+  const TriangleTree tree(triangles);
+  int met = 0;
+  int compared = 0;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const OneRay ray = { glm::dvec3(glm::vec3(center + 15.0 * place())),
+      glm::dvec3(glm::vec3(glm::normalize(place()))) };
+    const std::optional<TrueHit> truth = NearestOf(triangles, ray);
+    if (!truth)
+    {
+      continue;
+    }
+    ++compared;
+    const std::optional<TriangleHit> found = NearestOfTree(tree, ray);
+    const bool isMet = truth->t < 1e30;
+    ASSERT_EQ(found.has_value(), isMet) << i;
+    ASSERT_EQ(IsMetByLanes(tree, ray, 1e30f), isMet) << i;
+    if (isMet)
+    {
+      ++met;
+      EXPECT_NEAR(found->t, truth->t, 1e-3 * std::max(truth->t, 1.0));
+      EXPECT_NEAR(HitOf(triangles[found->triangle], ray).t, truth->t, 1e-4) << "another triangle";
+      EXPECT_FALSE(IsMetByLanes(tree, ray, float(0.99 * truth->t))) << "beyond the exit";
+      EXPECT_TRUE(IsMetByLanes(tree, ray, float(1.01 * truth->t)));
+      EXPECT_FALSE(NearestOfTree(tree, ray, float(0.99 * truth->t))) << "beyond the exit";
+    }
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(met, 5);
+  EXPECT_LT(met, compared);
+}
+
+}
+
+TEST(TriangleTree, FindsWhatBruteForceFinds)
+{
+  for (const int count : { 1, 3, 4, 5, 9, 300 })
+  {
+    ExpectTruth(count, count < 10 ? 8.0 : 2.0, glm::dvec3(0.0));
+  }
+}
+
+// Coordinates are relative to a place near the volume, so that they are at most some times as large
+// as the scene.
+TEST(TriangleTree, FindsItFarFromTheOriginToo)
+{
+  ExpectTruth(100, 3.0, { 300.0, -200.0, 100.0 });
+}
+
+// A fan in a plane along two axes, whose boxes are flat, with rays through its inner edges and
+// parallel to axes.
+TEST(TriangleTree, HasNoGapsBetweenNeighbours)
+{
+  constexpr int Count = 64;
+  std::vector<Triangle> fan;
+  for (int i = 0; i < Count; ++i)
+  {
+    const auto corner = [](int k)
+    {
+      const double angle = 2.0 * 3.14159265358979 * k / Count;
+      return glm::vec3(10.0 * std::cos(angle), 10.0 * std::sin(angle), 1.5);
+    };
+    fan.push_back({ glm::vec3(0.1f, 0.2f, 1.5f), corner(i), corner((i + 1) % Count) });
+  }
+  const TriangleTree tree(fan);
+  for (int i = 0; i < Count; ++i)
+  {
+    for (double along = 0.0; along < 0.99; along += 0.01)
+    {
+      const glm::dvec3 target =
+        glm::mix(glm::dvec3(fan[std::size_t(i)][0]), glm::dvec3(fan[std::size_t(i)][1]), along);
+      for (const glm::dvec3& direction :
+        { glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.3, -0.4, 1.0), glm::dvec3(5.0, 3.0, 1.0) })
+      {
+        EXPECT_TRUE(IsMetByLanes(tree, { target - direction, direction }, 2.0f));
+        EXPECT_FALSE(IsMetByLanes(tree, { target + direction, direction }, 1e30f));
+      }
+    }
+  }
+  EXPECT_FALSE(IsMetByLanes(tree, { { -20.0, 0.0, 1.5 }, { 1.0, 0.0, 0.0 } }, 1e30f))
+    << "a ray in the plane";
+}
+
+TEST(TriangleTree, LeavesOutWhatHasNoArea)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  const glm::vec3 a(0.0f);
+  const glm::vec3 b(1.0f, 0.0f, 0.0f);
+  const glm::vec3 c(0.0f, 1.0f, 0.0f);
+  const OneRay ray = { { 0.2, 0.2, -1.0 }, { 0.0, 0.0, 1.0 } };
+  const std::vector<Triangle> none = { { a, a, a }, { a, b, 2.0f * b },
+    { a, b, glm::vec3(0.0f, nan, 0.0f) }, { a, b, glm::vec3(infinite, 1.0f, 0.0f) } };
+  EXPECT_FALSE(IsMetByLanes(TriangleTree(none), ray, 1e30f));
+  EXPECT_FALSE(NearestOfTree(TriangleTree(none), ray));
+  EXPECT_FALSE(IsMetByLanes(TriangleTree(), ray, 1e30f));
+  std::vector<Triangle> one = none;
+  one.push_back({ a, b, c });
+  const TriangleTree tree(one);
+  EXPECT_TRUE(IsMetByLanes(tree, ray, 1e30f));
+  const auto found = NearestOfTree(tree, ray);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->triangle, none.size()) << "numbers count what is left out";
+}
+
+TEST(TriangleTree, RefusesMoreTrianglesThanFloatsCount)
+{
+  EXPECT_THROW(
+    TriangleTree(std::vector<Triangle>(TriangleTree::MostTriangles + 1)), std::invalid_argument);
+}

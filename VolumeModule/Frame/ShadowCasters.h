@@ -1,0 +1,65 @@
+#ifndef Varimarch_Frame_ShadowCasters_h
+#define Varimarch_Frame_ShadowCasters_h
+
+#include "Core/Geometry/TriangleTree.h"
+
+#include "vtkType.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+class vtkPolyData;
+class vtkProperty;
+class vtkRenderer;
+class vtkVolume;
+
+namespace varimarch
+{
+
+/// A surface of opaque geometry. The data belong to the caller's pipeline.
+struct CastingSurface
+{
+  vtkPolyData* data;
+  vtkProperty* property;
+  bool hasColors; ///< True if colours of the data or of a texture replace those of the property.
+  glm::dmat4 worldFromData;
+  std::vector<glm::dvec4> planesWorld; ///< They keep what lies on their positive sides.
+};
+
+/// The opaque geometry of a renderer that casts shadows on a volume: the surfaces of its visible
+/// actors, also those in assemblies.
+struct ShadowCasters
+{
+  std::vector<CastingSurface> surfaces;
+  glm::dvec3 originWorld = glm::dvec3(0.0); ///< A place near the volume, for triangles of floats.
+  std::vector<double> fingerprint;          ///< Everything that the triangles depend on.
+  std::size_t triangleCount = 0;
+  bool areTooMany = false; ///< True if there are too many triangles: then there are no surfaces.
+};
+
+ShadowCasters ShadowCastersOf(vtkRenderer* renderer, vtkVolume* volume);
+
+/// The place of a triangle in the data.
+struct SurfaceTriangle
+{
+  std::size_t surface;             ///< Its index in ShadowCasters::surfaces.
+  std::array<vtkIdType, 3> points; ///< A triangle of the data that contains it.
+};
+
+/// The triangles of all surfaces, without the parts that planes take.
+struct CasterTriangles
+{
+  std::vector<Triangle> corners;        ///< Relative to the origin [mm].
+  std::vector<SurfaceTriangle> sources; ///< One for each triangle.
+};
+
+CasterTriangles TrianglesOf(const ShadowCasters& casters);
+
+}
+
+#endif
