@@ -354,7 +354,8 @@ public:
    * with the key CASTS_SHADOWS set to 0, nor more than two million triangles. Where packets of rays
    * draw (see ProcessorMarching), the same faces receive the volume's shadows: the colours that VTK
    * has drawn are multiplied by the part of their light that is left, unless depth peeling or
-   * RenderToImage draws. VTK lets geometry cast shadows on geometry (vtkShadowMapPass).
+   * RenderToImage draws. Images during interaction (see MinimumImageSampleDistance) leave that out.
+   * VTK lets geometry cast shadows on geometry (vtkShadowMapPass).
    */
   vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
   vtkGetMacro(Shadows, vtkTypeBool);

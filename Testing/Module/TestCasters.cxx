@@ -64,6 +64,20 @@ TEST(Casters, OfASheetEndAtTheirClosedForm)
   }
 }
 
+// Floats near 200 m are a hundredth of a millimetre apart.
+TEST(Casters, AreAsExactFarFromTheOriginOfTheWorld)
+{
+  const glm::dvec3 far(200000.123, -100000.456, 0.0);
+  SlabUnderGeometry slab;
+  slab.AddSun();
+  slab.scene.volume->SetPosition(far.x, far.y, far.z);
+  slab.scene.LookDown(far, 0.5);
+  const auto sheet = HiddenActor(Sheet(9.75, 90.0, 20.0));
+  sheet->SetPosition(far.x, far.y, far.z);
+  slab.scene.renderer->AddActor(sheet);
+  EXPECT_NEAR(slab.DrawnRed(), RedBetween(0.0, DepthOfEdge(9.75, 20.0)), HalfByteStep);
+}
+
 TEST(Casters, AreTheSameForShaders)
 {
   SlabUnderGeometry slab;

@@ -250,6 +250,18 @@ TEST(Receivers, AreNoPropsThatCastNoShadowsAndNoWireframes)
   EXPECT_EQ(cube.scene.DrawByProcessor(), lit);
 }
 
+TEST(Receivers, WaitForTheStillImage)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  cube.scene.mapper->SetMaximumImageSampleDistance(1.0);
+  const std::vector<float> still = cube.scene.DrawByProcessor();
+  cube.scene.window->SetDesiredUpdateRate(20.0);
+  EXPECT_NE(cube.scene.DrawByProcessor(), still);
+  cube.scene.window->SetDesiredUpdateRate(1e-3);
+  EXPECT_EQ(cube.scene.DrawByProcessor(), still);
+}
+
 // A smooth ball beside the cube has the normals of its points, which differ from those of faces.
 TEST(Receivers, OfSmoothSurfacesAreLitByTheirNormals)
 {

@@ -91,7 +91,8 @@ Box CoverOf(const Box& boxGrid, const glm::dmat4& gridFromWorld, const Receivers
 void GeometryDimming::Draw(const Frame& frame, const MarchPlan& plan)
 {
   const bool mayDim = frame.settings.casters && frame.settings.sceneGeometry &&
-    frame.material.surfacesInShadow > 0.0 && !this->resources.IsNothingDrawn();
+    frame.material.surfacesInShadow > 0.0 && !plan.isInteractive &&
+    !this->resources.IsNothingDrawn();
   const Receivers receivers =
     mayDim ? GeometryReceiversOf(frame, this->resources, plan.viewport) : Receivers();
   if (receivers.empty())

@@ -19,7 +19,8 @@ public:
   {
   }
 
-  /// Draws into the current framebuffer if the frame has shadows and geometry in them.
+  /// Draws into the current framebuffer if the frame has shadows and geometry in them, and nobody
+  /// interacts: there may be as many pixels of geometry as of the volume.
   /// @param plan  a plan of packets
   void Draw(const Frame& frame, const MarchPlan& plan);
 
