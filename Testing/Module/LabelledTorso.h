@@ -55,21 +55,26 @@ public:
     property->SetLabelGradientOpacity(2, this->factors);
   }
 
-  varimarch::OpticalProperties MaterialAt(glm::dvec3 position, const varimarch::Ray& rayGrid)
+  /// Without light.
+  varimarch::OpticalProperties LookAt(glm::dvec3 position, double value, glm::dvec3 gradient)
   {
     const int label = LabelAt(position);
-    const double value = this->grid.Value(position);
-    const glm::dvec3 gradient = this->grid.Gradient(position);
     const double factor = label == 2 ? this->factors->GetValue(this->Magnitude(gradient)) : 1.0;
     const double opacity = (label == 1 ? this->veil : this->scene.opacities)->GetValue(value);
-    double rgb[3];
-    (label == 1 ? this->green : this->scene.colors)->GetColor(value, rgb);
+    glm::dvec3 rgb;
+    (label == 1 ? this->green : this->scene.colors)->GetColor(value, &rgb.x);
+    return { rgb, -std::log1p(-opacity * factor) };
+  }
+
+  varimarch::OpticalProperties MaterialAt(glm::dvec3 position, const varimarch::Ray& rayGrid)
+  {
+    const glm::dvec3 gradient = this->grid.Gradient(position);
+    const varimarch::OpticalProperties look =
+      this->LookAt(position, this->grid.Value(position), gradient);
     const glm::dvec3 normal = this->geometry.WorldFromGridNormal() * gradient;
     const glm::dvec3 toEye = this->geometry.WorldFromGridDirection() * rayGrid.direction;
     const double facing = std::abs(glm::dot(glm::normalize(normal), glm::normalize(toEye)));
-    return { glm::dvec3(rgb[0], rgb[1], rgb[2]) * (0.1 + 0.7 * facing) +
-        0.2 * std::pow(facing, 10.0),
-      -std::log1p(-opacity * factor) };
+    return { look.rgb * (0.1 + 0.7 * facing) + 0.2 * std::pow(facing, 10.0), look.extinction };
   }
 
   /// The material without a label, and otherwise that of the label.

@@ -1,17 +1,8 @@
 #include "Module/ReferenceMaterials.h"
 
-#include "Core/Geometry/LightCone.h"
-#include "Core/Reference/LightTransmittance.h"
-#include "Core/Reference/PathTracer.h"
-#include "Core/Reference/SkyVisibility.h"
 #include "Frame/PropertyTransferFunction.h"
-#include "Stages/CutRays.h"
 
 #include <vtkDataArray.h>
-#include <vtkInformation.h>
-#include <vtkInformationDoubleKey.h>
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
@@ -20,12 +11,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 using namespace varimarch;
@@ -79,154 +68,6 @@ glm::dvec3 InHeadLight(
     factor * property->GetSpecular() * std::pow(facing, property->GetSpecularPower());
 }
 
-bool ShinesOn(vtkLight* light, glm::dvec3 toLight, glm::dvec3 axis)
-{
-  return !light->GetPositional() || light->GetConeAngle() >= 90.0 ||
-    glm::dot(-toLight, axis) >= std::cos(glm::radians(light->GetConeAngle()));
-}
-
-struct LitPoint
-{
-  glm::dvec3 rgb; ///< colour by the transfer function
-  glm::dvec3 positionGrid;
-  glm::dvec3 positionWorld;
-  glm::dvec3 normal;
-  glm::dvec3 toEye;
-};
-
-// The mean over the directions that a light comes from.
-double MeanReaching(vtkLight* light, const LitPoint& point, glm::dvec3 toLight, double farMm,
-  const LightReaching& reaching)
-{
-  vtkInformationDoubleKey* const softness = vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS();
-  if (!light->GetInformation()->Has(softness))
-  {
-    return reaching(point.positionGrid, toLight, farMm);
-  }
-  double mean = 0.0;
-  const double radians = glm::radians(light->GetInformation()->Get(softness));
-  for (const auto& [direction, weight] : DirectionsInCone(toLight, radians))
-  {
-    mean += weight * reaching(point.positionGrid, direction, farMm);
-  }
-  return mean;
-}
-
-// Light that a light casts to the eye, two-sided and without attenuation, and the part of it that
-// matter scatters.
-glm::dvec3 LightFrom(
-  vtkLight* light, MapperScene& scene, const LitPoint& point, const LightReaching& reaching)
-{
-  vtkVolumeProperty* const property = scene.volume->GetProperty();
-  const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
-  const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
-  const glm::dvec3 axis = glm::normalize(focus - position);
-  const bool isNear = light->GetPositional() != 0;
-  const glm::dvec3 toLight = isNear ? -glm::normalize(point.positionWorld - position) : -axis;
-  if (!ShinesOn(light, toLight, axis))
-  {
-    return glm::dvec3(0.0);
-  }
-  const double farMm =
-    isNear ? glm::length(point.positionWorld - position) : std::numeric_limits<double>::infinity();
-  const double part = reaching ? MeanReaching(light, point, toLight, farMm, reaching) : 1.0;
-  const double shining = std::abs(glm::dot(point.normal, glm::normalize(toLight + point.toEye)));
-  const double onSurfaces = 1.0 - scene.mapper->GetShadowStrength() * (1.0 - part);
-  const double scattered = std::min(scene.mapper->GetVolumetricScatteringBlending(), 1.0);
-  const double phase =
-    HenyeyGreenstein(-glm::dot(toLight, point.toEye), scene.mapper->GetScatteringAnisotropy());
-  const double diffuse =
-    onSurfaces * (1.0 - scattered) * std::abs(glm::dot(point.normal, toLight)) +
-    part * scattered * phase;
-  return property->GetDiffuse() * diffuse * point.rgb * glm::make_vec3(light->GetDiffuseColor()) +
-    onSurfaces * (1.0 - scattered) * property->GetSpecular() *
-    std::pow(shining, property->GetSpecularPower()) * glm::make_vec3(light->GetSpecularColor());
-}
-
-}
-
-MapperScene::Material MaterialInLights(MapperScene& scene)
-{
-  return MaterialInShadows(scene, {});
-}
-
-MapperScene::Material MaterialInShadows(MapperScene& scene, const LightReaching& reaching)
-{
-  const auto samples = std::make_shared<SceneSamples>(scene);
-  const TransferFunction function = TransferFunctionOf(scene.volume->GetProperty());
-  return [&scene, samples, function, reaching](glm::dvec3 position, const Ray& ray)
-  {
-    const double value = samples->Value(position);
-    const double extinction = function.Extinction(value);
-    const LitPoint point{ function.Color(value), position, samples->PositionWorld(position),
-      samples->NormalWorld(samples->Gradient(position)), samples->ToEyeWorld(ray) };
-    glm::dvec3 sum(0.0);
-    vtkCollectionSimpleIterator iterator;
-    scene.renderer->GetLights()->InitTraversal(iterator);
-    while (vtkLight* light = scene.renderer->GetLights()->GetNextLight(iterator))
-    {
-      // A point that absorbs nothing emits nothing, and needs no shadow.
-      sum += extinction > 0.0 ? LightFrom(light, scene, point, reaching) : glm::dvec3(0.0);
-    }
-    return OpticalProperties{ sum, extinction };
-  };
-}
-
-namespace
-{
-
-// The light that the volume of a scene lets through, within its cuts.
-std::shared_ptr<const LightTransmittance> TransmittanceOf(
-  MapperScene& scene, const std::shared_ptr<const SceneSamples>& samples, double tolerance)
-{
-  const VolumeGeometry& geometry = samples->Geometry();
-  ReferenceScene opacities{ [samples](glm::ivec3 cell)
-    { return CornersOfCell(samples->Grid(), cell); },
-    geometry.boxGrid, TransferFunctionOf(scene.volume->GetProperty()) };
-  opacities.uncutParts = CutRays(scene.mapper, geometry.worldFromGrid, geometry.dataFromGrid);
-  return std::make_shared<const LightTransmittance>(
-    opacities, glm::inverse(geometry.WorldFromGridDirection()), tolerance);
-}
-
-}
-
-LightReaching LightThroughVolume(MapperScene& scene, double tolerance)
-{
-  const auto transmittance =
-    TransmittanceOf(scene, std::make_shared<const SceneSamples>(scene), tolerance);
-  return [transmittance](glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)
-  { return transmittance->Towards(positionGrid, towardsWorld, farMm); };
-}
-
-MapperScene::Material MaterialInOwnShadows(MapperScene& scene, double tolerance)
-{
-  return MaterialInShadows(scene, LightThroughVolume(scene, tolerance));
-}
-
-MapperScene::Material OccludedMaterial(MapperScene& scene, double tolerance)
-{
-  const auto samples = std::make_shared<const SceneSamples>(scene);
-  const auto transmittance = TransmittanceOf(scene, samples, tolerance);
-  const double reachMm =
-    OcclusionReachMm(scene.mapper->GetAmbientOcclusionReach(), samples->Geometry());
-  const TransferFunction look = TransferFunctionOf(scene.volume->GetProperty());
-  const MapperScene::Material lit = MaterialInLights(scene);
-  return [=, &scene](glm::dvec3 position, const Ray& ray)
-  {
-    OpticalProperties properties = lit(position, ray);
-    if (properties.extinction > 0.0)
-    {
-      const double value = samples->Value(position);
-      const glm::dvec3 gradient = samples->Gradient(position);
-      const double perVoxel = glm::length(gradient);
-      const bool isThinnerUp =
-        look.Extinction(value + perVoxel) < look.Extinction(value - perVoxel);
-      properties.rgb *= KeptLight(
-        SkyVisibility(*transmittance, reachMm).At(OutsideOf(position, gradient, isThinnerUp)),
-        scene.mapper->GetAmbientOcclusion());
-    }
-    return properties;
-  };
 }
 
 MapperScene::Material DampedMaterial(MapperScene& scene)

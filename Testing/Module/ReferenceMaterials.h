@@ -50,6 +50,33 @@ private:
 using LightReaching =
   std::function<double(glm::dvec3 positionGrid, glm::dvec3 towardsWorld, double farMm)>;
 
+/// The look of positions without light. Values are given apart, so that others than that of the
+/// position can be asked for.
+struct UnlitLook
+{
+  std::function<double(glm::dvec3 positionGrid)> value;
+  std::function<glm::dvec3(glm::dvec3 positionGrid)> gradient; ///< per voxel
+  std::function<varimarch::OpticalProperties(glm::dvec3 positionGrid, double value)> properties;
+  /// Where surfaces at a position lie, from which they see what is around them.
+  std::function<glm::dvec3(glm::dvec3 positionGrid)> surface;
+
+  varimarch::OpticalProperties At(glm::dvec3 positionGrid) const
+  {
+    return this->properties(positionGrid, this->value(positionGrid));
+  }
+};
+
+/// The look of the scene's transfer function, interpolated.
+UnlitLook InterpolatedLook(MapperScene& scene);
+
+/// The same of boxes around voxels, each of which has the value and the gradient of its voxel.
+UnlitLook LookOfBoxes(MapperScene& scene);
+
+/// A look in the renderer's lights, within the scene's cuts, with the mapper's shadows and ambient
+/// occlusion.
+/// @param tolerance  of the light that reaches a point
+MapperScene::Material DimmedMaterial(MapperScene& scene, const UnlitLook& look, double tolerance);
+
 /// The volume in the renderer's lights that have no ambient light.
 MapperScene::Material MaterialInLights(MapperScene& scene);
 

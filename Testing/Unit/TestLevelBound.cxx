@@ -93,8 +93,8 @@ public:
 
   std::vector<float> Draw(const BlockLevels& levels)
   {
-    this->pictures.scene.levels = { &this->level, levels.ofBlocks.data(), levels.count,
-      float(levels.side * BrickRanges::CellsPerSide) };
+    this->pictures.scene.levels = { &this->level, &this->pictures.scene, glm::mat4(1.0f),
+      levels.ofBlocks.data(), levels.count, float(levels.side * BrickRanges::CellsPerSide) };
     return this->pictures.March(InstructionSetsOfProcessor().front());
   }
 

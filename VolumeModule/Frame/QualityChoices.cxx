@@ -48,7 +48,8 @@ ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
   budget.tolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
   budget.windowScale = frame.image.windowScaleBias.x;
   budget.isExtreme = IsExtreme(frame.settings.blend);
-  budget.isSampled = IsSampled(frame.settings);
+  // Boxes are marched from face to face, but light is sampled in them.
+  budget.isSampled = IsSampled(frame.settings) || frame.settings.shadows;
   budget.isOccluded = frame.settings.occlusion;
   return budget;
 }

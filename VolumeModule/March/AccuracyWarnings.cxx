@@ -42,8 +42,7 @@ std::string LightWarnings(const RayMarcher& marcher)
   if (marcher.LeavesOutOcclusion())
   {
     warnings += "The volume has no ambient occlusion: packets of rays on the processor draw it "
-                "(ProcessorMarching), but not in label maps, boxes of voxels or volumes with "
-                "gaps. ";
+                "(ProcessorMarching), but not in volumes with gaps. ";
   }
   if (marcher.LeavesOutCasters())
   {

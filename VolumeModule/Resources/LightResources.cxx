@@ -92,7 +92,9 @@ void LightResources::UpdateShadows(
   const double voxelMm = march.frame.geometry.SmallestSpacingMm();
   this->shadows.tolerance = float(error);
   const bool isWhole = std::isinf(march.frame.material.shadowReachMm);
-  if (!march.settings.shadows || !isWhole || !(error > 0.0) || !IsSmooth(materials, voxelMm))
+  // Light through blocks of other levels is other light.
+  if (!march.settings.shadows || !isWhole || !(error > 0.0) || !IsSmooth(materials, voxelMm) ||
+    march.frame.blockLevels)
   {
     return;
   }

@@ -46,15 +46,20 @@ Lanes3 Transformed(const Matrix& matrix, const Lanes3& a)
     a.x * x.z + a.y * y.z + a.z * z.z };
 }
 
+/// A place in another grid.
+inline Lanes3 PlaceIn(const glm::mat4& otherFromGrid, const Lanes3& placeGrid)
+{
+  const glm::vec4& move = otherFromGrid[3];
+  return Transformed(glm::mat3(otherFromGrid), placeGrid) +
+    Lanes3{ All(move.x), All(move.y), All(move.z) };
+}
+
 /// The same rays in the grid of a volume; t is a length in the world.
 inline PacketRays InGridOf(const VolumeParameters& volume, const PacketRays& rays)
 {
-  const glm::mat3 turn(volume.ownGridFromRays);
-  const glm::vec4& move = volume.ownGridFromRays[3];
   PacketRays own = rays;
-  own.originGrid =
-    Transformed(turn, rays.originGrid) + Lanes3{ All(move.x), All(move.y), All(move.z) };
-  own.directionGrid = Transformed(turn, rays.directionGrid);
+  own.originGrid = PlaceIn(volume.ownGridFromRays, rays.originGrid);
+  own.directionGrid = Transformed(glm::mat3(volume.ownGridFromRays), rays.directionGrid);
   own.inverse = SafeInverse(own.directionGrid);
   return own;
 }

@@ -218,12 +218,15 @@ struct PacketConstituent
   PacketDepths visible; ///< depths between which it may be visible
 };
 
-/// Blocks of a volume that are drawn by a coarser level: BlockLevels.
+/// Blocks of a volume that are drawn by a coarser level: BlockLevels. The scenes of both levels
+/// have them.
 struct PacketLevels
 {
   /// The level, a volume of the same type in a grid of its own; null: all blocks are drawn by
   /// voxels.
   const PacketScene* coarse;
+  const PacketScene* voxels;
+  glm::mat4 voxelGridFromOwn; ///< from the grid of the scene that has this
   const BlockLevel* ofBlocks; ///< see BlockLevels
   glm::ivec3 blockCount;
   float blockSideGrid; ///< length of a block's side, in voxels

@@ -27,6 +27,12 @@ namespace varimarch
 namespace
 {
 
+/// True if the volume dims its own light.
+inline bool IsDimmed(const PacketScene& scene)
+{
+  return scene.light.castsShadows || scene.sky.strength > 0.0f;
+}
+
 template <class Voxels, class Material>
 FLATTENED PacketSum MarchMaterial(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
@@ -66,6 +72,14 @@ FLATTENED PacketSum MarchVoxels(
   {
     return MarchBoxValues<Voxel>(scene, rays, walk, before);
   }
+  if (IsDimmed(scene))
+  {
+    return scene.labelRows
+      ? MarchDimmedBoxes<Voxel, DimmedMaterial<PacketBoxes<Voxel>, LabelledMaterial>>(
+          scene, rays, walk, before)
+      : MarchDimmedBoxes<Voxel, DimmedMaterial<PacketBoxes<Voxel>, PacketMaterial>>(
+          scene, rays, walk, before);
+  }
   if (scene.labelRows)
   {
     return MarchBoxMaterials<Voxel, LabelledMaterial>(scene, rays, walk, before);
@@ -95,13 +109,15 @@ PacketSum MarchSampled(
   {
     return MarchValues<Voxels>(scene, rays, walk, before);
   }
+  if (IsDimmed(scene))
+  {
+    return scene.labelRows
+      ? MarchMaterial<Voxels, DimmedMaterial<Voxels, LabelledMaterial>>(scene, rays, walk, before)
+      : MarchMaterial<Voxels, DimmedMaterial<Voxels, PacketMaterial>>(scene, rays, walk, before);
+  }
   if (scene.labelRows)
   {
     return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
-  }
-  if (scene.light.castsShadows || scene.sky.strength > 0.0f)
-  {
-    return MarchMaterial<Voxels, DimmedMaterial<Voxels>>(scene, rays, walk, before);
   }
   return HeadLitMaterial::IsThatOf(scene)
     ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk, before)
@@ -139,7 +155,10 @@ struct MarchOf
 
   static Lanes4 LightOn(const PacketScene& scene, int x, int y)
   {
-    return LightOnPlaces<PacketVoxels<Voxel>>(scene, PlacesOfPacket(scene, x, y));
+    const PacketPlaces places = PlacesOfPacket(scene, x, y);
+    return scene.rule == PacketRule::MaterialVoxels
+      ? LightOnPlaces<PacketBoxes<Voxel>>(scene, places)
+      : LightOnPlaces<PacketVoxels<Voxel>>(scene, places);
   }
 };
 

@@ -81,8 +81,7 @@ bool HasPacketRecipe(const Frame& frame)
     settings.mask == Mask::None || frame.voxels.mask.dimensions == frame.geometry.dimensions;
   const bool isSampledEvenly = !settings.uneven || (!isLocated && !settings.nearest);
   const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
-  const bool hasLight = !(settings.shadows || settings.occlusion) ||
-    (!IsMixture(frame) && !settings.nearest && settings.mask != Mask::Labels);
+  const bool hasLight = !(settings.shadows || settings.occlusion) || !IsMixture(frame);
   return HasTwins(settings) && hasLight && isMixed && isSampledEvenly && hasPlaces && hasMask;
 }
 

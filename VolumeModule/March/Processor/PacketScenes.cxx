@@ -54,8 +54,10 @@ void PacketScenes::AddCoarser(
   scene.depths = {};
   scene.parameters.ownGridFromRays = GridFromGrid(level.frame.geometry, march.frame.geometry);
   const BlockLevels& levels = *march.frame.blockLevels;
-  this->first.scene.levels = { &scene, levels.ofBlocks.data(), levels.count,
-    float(levels.side * BrickRanges::CellsPerSide) };
+  this->first.scene.levels = { &scene, &this->first.scene, glm::mat4(1.0f), levels.ofBlocks.data(),
+    levels.count, float(levels.side * BrickRanges::CellsPerSide) };
+  scene.levels = this->first.scene.levels;
+  scene.levels.voxelGridFromOwn = GridFromGrid(march.frame.geometry, level.frame.geometry);
 }
 
 void PacketScenes::Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)

@@ -36,7 +36,7 @@ public:
     LaneMask isFound = {};
     while (Any(mask))
     {
-      const Lanes end = this->NextCrossing();
+      const Lanes end = this->NextCrossing(this->t);
       const LaneMask isDrawn = this->IsDrawn(0.5f * (this->t + end));
       mask &= isDrawn | ~isFound;
       this->t = Select(mask, end, this->t);
@@ -63,17 +63,18 @@ public:
     return LaneMask((AllInt(this->parameters.croppingRegions) >> region & 1) != 0);
   }
 
-private:
-  Lanes NextCrossing() const
+  /// The next place at which rays meet a plane, or their exit.
+  Lanes NextCrossing(Lanes from) const
   {
     Lanes next = this->rays.exit;
     for (const Lanes& crossing : this->crossings)
     {
-      next = Select(LaneMask(crossing > this->t), Min(crossing, next), next);
+      next = Select(LaneMask(crossing > from), Min(crossing, next), next);
     }
     return next;
   }
 
+private:
   const RayParameters& parameters;
   const PacketRays& rays;
   Lanes t; ///< the end of the last piece

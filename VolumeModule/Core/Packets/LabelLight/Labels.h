@@ -43,6 +43,9 @@ public:
     return Select(LaneMask(reach < 3), gradient, Lanes3(0.0f));
   }
 
+  /// The rows of the labels at places.
+  IntLanes RowsAt(const Lanes3& place) const { return this->TexelsAt(Floor(place + 0.5f), 0); }
+
 private:
   Lanes LabelledPart(const Lanes3& place) const
   {

@@ -98,6 +98,8 @@ public:
       this->WithinAxis(voxel.x, 0), this->WithinAxis(voxel.y, 1), this->WithinAxis(voxel.z, 2));
   }
 
+  Lanes ValueAt(const Lanes3& placeGrid) const { return this->ValueOf(Floor(placeGrid + 0.5f)); }
+
   /// Differences one voxel to either side.
   Lanes3 GradientOf(const Lanes3& voxel) const
   {

@@ -49,13 +49,6 @@ public:
     return drawn;
   }
 
-  /// The rays whose content at a place is drawn.
-  LaneMask IsDrawn(Lanes t) const
-  {
-    const IntLanes content = this->TexelsAt(this->lattice.IndexOf(this->lattice.At(t).cell), 0);
-    return LaneMask(FloatOf(content) > this->leastContent);
-  }
-
 private:
   IntLanes TexelsAt(const IntNumbers& index, int which) const
   {
@@ -68,6 +61,46 @@ private:
   const PacketRays& rays;
   PacketLattice lattice;
   LatticePlace place; ///< the end of the last piece
+};
+
+/// The content of a mask along rays that are followed forwards.
+class MaskWalk
+{
+public:
+  MaskWalk(const PacketScene& scene, const PacketRays& rays)
+    : texels(scene.textures.maskTexture.Texels<std::uint16_t>())
+    , lattice(rays, 1.0f, -0.5f, scene.volume.voxelCount)
+    , next(lattice.At(rays.enter))
+  {
+  }
+
+  /// Goes on to places of the rays of a mask. Returns where the content may change next.
+  Lanes GoTo(Lanes t, LaneMask mask)
+  {
+    for (LaneMask behind = mask & LaneMask(t >= this->next.t); Any(behind);
+         behind &= LaneMask(t >= this->next.t))
+    {
+      const IntNumbers index = this->lattice.IndexOf(this->next.cell);
+      const auto texelsAt = [&](int which)
+      {
+        return IntLanesOf([&](int lane)
+          { return std::int32_t(this->texels[2 * std::ptrdiff_t(index.of[lane]) + which]); });
+      };
+      this->content = Select(behind, texelsAt(0), this->content);
+      const Lanes radius = Max(FloatOf(texelsAt(1) - 1), Lanes{});
+      this->next = Select(behind, this->lattice.BehindBlock(this->next, radius), this->next);
+    }
+    return this->next.t;
+  }
+
+  /// The content where the rays are.
+  IntLanes Content() const { return this->content; }
+
+private:
+  const std::uint16_t* texels;
+  PacketLattice lattice;
+  LatticePlace next; ///< where the rays leave the block whose content is known
+  IntLanes content = {};
 };
 
 }

@@ -1,11 +1,10 @@
 #ifndef Varimarch_Core_Packets_Material_Labelled_h
 #define Varimarch_Core_Packets_Material_Labelled_h
 
-// Twin of Material/Labelled.glsl, Classify/LabelTables.glsl, Rows/Tables.glsl and
-// Rows/ValueAndGradient.glsl.
+// Twin of Material/Labelled.glsl.
 
-#include "Core/Packets/GradientOpacity/LabelTables.h"
 #include "Core/Packets/LabelLight/Labels.h"
+#include "Core/Packets/Material/LabelLooks.h"
 #include "Core/Packets/Material/OneComponent.h"
 
 namespace varimarch
@@ -20,91 +19,74 @@ class LabelledMaterial : public PacketMaterial
 public:
   LabelledMaterial(const PacketScene& scene, const PacketRays& rays)
     : PacketMaterial(scene, rays)
+    , looks(scene)
     , surfaces(scene, rays)
   {
   }
 
   Optical At(Lanes value, const Surface& surface, Lanes t) const
   {
-    const float labelPart = this->scene.parameters.labelPart;
-    Optical optical = this->OfRows(this->rays.region, value, surface);
-    const LaneMask isMixed = this->rays.region > 0;
-    if (labelPart < 1.0f && Any(isMixed))
-    {
-      const Optical plain = this->OfRows(IntLanes{}, value, surface);
-      const Optical mixed = this->Mixed(plain, optical);
-      optical.extinction = Select(isMixed, mixed.extinction, optical.extinction);
-      optical.color = Select(isMixed, mixed.color, optical.color);
-    }
-    optical.color = this->Lit(optical.color, surface, t);
+    Optical optical = this->LookOf(value, surface.gradient);
+    optical.color = this->Shaded(optical.color, surface, t);
     return optical;
   }
 
-private:
-  Lanes3 Lit(const Lanes3& color, const Surface& surface, Lanes t) const
+  Optical LookOf(Lanes value, const Lanes3& gradient) const
+  {
+    return this->looks.Of(this->rays.region, value, gradient);
+  }
+
+  Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
+  {
+    return this->ShadedBy(this->ReflectorAt(surface, t), color, t);
+  }
+
+  /// Labels may be lit as their own surfaces.
+  Reflector ReflectorAt(const Surface& surface, Lanes t) const
   {
     const LaneMask isLabelled = LaneMask(this->rays.region > 0);
+    Reflector own = PacketMaterial::ReflectorAt(surface, t);
     if (!this->scene.light.labels || !Any(isLabelled))
     {
-      return this->Shaded(color, surface, t);
+      return own;
     }
     const Lanes3 normal = this->surfaces.GradientAt(this->rays.At(t));
     const LaneMask isInside = isLabelled & LaneMask(Dot(normal, normal) <= LeastSurface);
     const Lanes factor = All(this->scene.parameters.labelGradient);
     const Surface facingEye = { Lanes3(factor), this->directionWorld, All(1.0f) };
-    const Surface own = Select(isInside, facingEye, this->SurfaceOf(factor * normal));
-    Lanes4 reflectance = ReflectanceOf(this->scene);
-    reflectance.z = Select(isInside, All(0.0f), reflectance.z);
-    return this->ShadedBy(reflectance, color, Select(isLabelled, own, surface), t);
+    const Surface ofLabel = Select(isInside, facingEye, this->SurfaceOf(factor * normal));
+    own.surface = Select(isLabelled, ofLabel, surface);
+    own.reflectance.z = Select(isInside, All(0.0f), own.reflectance.z);
+    return own;
   }
 
-  Optical OfRows(IntLanes rows, Lanes value, const Surface& surface) const
+  /// The places at which surfaces see what is around them. A label that is lit as its own surface
+  /// sees it on the side on which there is less matter; inside a label, that is the place itself.
+  template <class Voxels>
+  Lanes3 OutsideOf(const Slope& slope, const Lanes3& placeGrid, const Voxels& voxels) const
   {
-    Optical optical = this->OfTables(rows, value, surface);
-    const LaneMask isPlain = LaneMask(rows == 0);
-    if (this->scene.textures.twoValueTable && Any(isPlain))
+    const Lanes3 ofValues = this->OutsideBy(slope, placeGrid,
+      [&](Lanes value) { return this->LookOf(value, slope.gradient).extinction; });
+    const LaneMask isLabelled = LaneMask(this->rays.region > 0);
+    if (!this->scene.light.labels || !Any(isLabelled))
     {
-      const Optical plain = ClassifyTwo(this->scene, value, surface.gradient);
-      optical.extinction = Select(isPlain, plain.extinction, optical.extinction);
-      optical.color = Select(isPlain, plain.color, optical.color);
+      return ofValues;
     }
-    return optical;
+    const Lanes3 inward = this->surfaces.GradientAt(placeGrid);
+    const auto extinctionAt = [&](const Lanes3& place)
+    {
+      return this->looks.Of(this->surfaces.RowsAt(place), voxels.ValueAt(place), slope.gradient)
+        .extinction;
+    };
+    const LaneMask isAlong = LaneMask(extinctionAt(Off(placeGrid, inward, AllInt(-1))) <
+      extinctionAt(Off(placeGrid, inward, AllInt(0))));
+    const Lanes3 ofLabel = Select(
+      LaneMask(Dot(inward, inward) > LeastSurface), Off(placeGrid, inward, isAlong), placeGrid);
+    return Select(isLabelled, ofLabel, ofValues);
   }
 
-  Optical OfTables(IntLanes rows, Lanes value, const Surface& surface) const
-  {
-    const IntNumbers row(rows);
-    const auto lookOf = [&](int lane) -> const PacketRow&
-    { return this->scene.labelRows[row.of[lane]]; };
-    const Lanes last = LanesOf([&](int lane) { return float(lookOf(lane).lastIndex); });
-    const Lanes place =
-      TableIndex(value, LanesOf([&](int lane) { return lookOf(lane).indexScale; }),
-        LanesOf([&](int lane) { return lookOf(lane).indexOffset; }), last);
-    const Lanes below = EntryBelow(place, last);
-    const IntNumbers index(Truncated(below));
-    const Numbers part(place - below);
-    Four entries[LaneCount];
-    for (int lane = 0; lane < LaneCount; ++lane)
-    {
-      entries[lane] = MixedEntries(lookOf(lane).table + index.of[lane], part.of[lane]);
-    }
-    Optical optical = OpticalOf(entries);
-    if (this->scene.textures.gradientOpacityTable)
-    {
-      optical.extinction = AtGradientOfRows(this->scene, optical.extinction, surface.gradient, row);
-    }
-    return optical;
-  }
-
-  // Mixes colours, and opacities over a unit distance.
-  Optical Mixed(const Optical& plain, const Optical& own) const
-  {
-    const Lanes part = All(this->scene.parameters.labelPart);
-    return { Mix(plain.color, own.color, part),
-      MixedExtinction(plain.extinction, own.extinction, part,
-        All(this->scene.parameters.opacityUnitDistancesMm.x)) };
-  }
-
+private:
+  LabelLooks looks;
   LabelSurfaces surfaces;
 };
 

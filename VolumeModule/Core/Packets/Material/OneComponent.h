@@ -4,6 +4,7 @@
 // The optical properties of places, which may depend on gradients.
 // Twin of Material/OneComponent.glsl, Material/ValueAndGradient.glsl and Values/One.glsl.
 
+#include "Core/Fields/LightLattice.h"
 #include "Core/Packets/Blend/Composite.h"
 #include "Core/Packets/Classify/OpticalTable.h"
 #include "Core/Packets/ClassifyTwo/Table.h"
@@ -24,6 +25,13 @@ struct RayPart
 {
   Lanes t; ///< its middle [mm]
   Lanes lengthMm;
+};
+
+/// A surface that light falls on, and its reflectance.
+struct Reflector
+{
+  Surface surface;
+  Lanes4 reflectance;
 };
 
 /// The optical properties along the rays of a packet.
@@ -75,20 +83,50 @@ public:
 
   Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
   {
-    return this->ShadedBy(ReflectanceOf(this->scene), color, surface, t);
+    return this->ShadedBy(this->ReflectorAt(surface, t), color, t);
+  }
+
+  /// The surface that reflects light where the values have one.
+  Reflector ReflectorAt(const Surface& surface, Lanes) const
+  {
+    return { surface, ReflectanceOf(this->scene) };
+  }
+
+  /// The places at which surfaces see what is around them: off the side on which there would be
+  /// less matter if values went on as they change here.
+  template <class Voxels>
+  Lanes3 OutsideOf(const Slope& slope, const Lanes3& placeGrid, const Voxels&) const
+  {
+    return this->OutsideBy(slope, placeGrid,
+      [&](Lanes value) { return this->LookOf(value, slope.gradient).extinction; });
   }
 
 protected:
-  Lanes3 ShadedBy(
-    const Lanes4& reflectance, const Lanes3& color, const Surface& surface, Lanes t) const
+  /// The places from which a surface sees what is around it.
+  static Lanes3 Off(const Lanes3& placeGrid, const Lanes3& direction, LaneMask isAlong)
+  {
+    const Lanes distance = float(LightLattice::SkyDistanceVoxels) * InverseLength(direction);
+    return placeGrid + Select(isAlong, distance, -distance) * direction;
+  }
+
+  template <class Extinction>
+  Lanes3 OutsideBy(const Slope& slope, const Lanes3& placeGrid, Extinction extinctionOf) const
+  {
+    const Lanes perVoxel = 0.5f * Length(slope.gradient); // differences over two voxels
+    const LaneMask isThinnerAbove =
+      LaneMask(extinctionOf(slope.value + perVoxel) < extinctionOf(slope.value - perVoxel));
+    return Off(placeGrid, slope.gradient, isThinnerAbove);
+  }
+
+  Lanes3 ShadedBy(const Reflector& own, const Lanes3& color, Lanes t) const
   {
     switch (this->scene.light.shading)
     {
       case PacketShading::HeadLight:
-        return LitByHeadLight(this->scene, reflectance, color, surface);
+        return LitByHeadLight(this->scene, own.reflectance, color, own.surface);
       case PacketShading::Lights:
-        return PacketLights(this->scene, reflectance, this->directionWorld)
-          .Lit(color, surface, this->WorldAt(t));
+        return PacketLights(this->scene, own.reflectance, this->directionWorld)
+          .Lit(color, own.surface, this->WorldAt(t));
       case PacketShading::None:
         break;
     }

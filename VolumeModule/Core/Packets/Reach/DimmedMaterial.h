@@ -5,8 +5,10 @@
 
 #include "Core/Packets/Cone/Disc.h"
 #include "Core/Packets/Flattened.h"
+#include "Core/Packets/Material/Labelled.h"
 #include "Core/Packets/Reach/Casters.h"
-#include "Core/Packets/Reach/GatheredLight.h"
+#include "Core/Packets/Reach/DepthAlong.h"
+#include "Core/Packets/Reach/GatheredPlaces.h"
 #include "Core/Packets/Reach/LightCells.h"
 #include "Core/Packets/Reach/OpenSky.h"
 #include "Core/Packets/Reach/ShadowRays.h"
@@ -137,7 +139,7 @@ private:
     const PacketRays& rays, LaneMask mask, float longestMm, Known known) const
   {
     const ShadowMarch march = { longestMm, FirstShadowStep(All(longestMm)), this->MostDepth() };
-    return Exp(-ShadowDepth<Voxels>(this->scene, this->voxels, rays, march).Along(mask, known));
+    return Exp(-DepthAlong(this->scene, this->voxels, rays, march, mask, known));
   }
 
   // The length of a cell along rays.
@@ -197,15 +199,16 @@ private:
 
 /// Adds its samples to a sum without what shadows may take away, which it gathers. Its surfaces
 /// know how much of the light from all around reaches them.
-template <class Voxels>
-class DimmedMaterial : public PacketMaterial
+/// @tparam Undimmed  PacketMaterial or LabelledMaterial
+template <class Voxels, class Undimmed>
+class DimmedMaterial : public Undimmed
 {
 public:
   using SurfaceType = OpenSurface;
 
   DimmedMaterial(const PacketScene& scene, const PacketRays& rays)
-    : PacketMaterial(scene, rays)
-    , voxels(scene.volume)
+    : Undimmed(scene, rays)
+    , voxels(SceneOfLight(scene).volume)
     , lightCount(ShadowedLight::CountOf(scene))
     , gathered(this->lightCount, scene.rays.shadowStepMm)
   {
@@ -217,7 +220,8 @@ public:
   {
     const Surface surface = this->SurfaceOf(slope.gradient);
     return this->scene.sky.strength > 0.0f ? OpenSurface{ surface,
-      OpenSky<Voxels>(this->scene, this->voxels).At(this->Outside(slope, placeGrid), mask) }
+      OpenSky<Voxels>(SceneOfLight(this->scene), this->voxels)
+        .At(PlaceOfLight(this->scene, this->OutsideOf(slope, placeGrid, this->voxels)), mask) }
                                            : OpenSurface{ surface, All(1.0f) };
   }
 
@@ -253,8 +257,9 @@ private:
     this->gathered.MoveTo(part.t, isSeen);
     const Lanes seen = surface.open * sum.transmittance *
       Absorption(Min(look.extinction * part.lengthMm, All(100.0f)));
-    return PacketLights(this->scene, ReflectanceOf(this->scene), this->directionWorld)
-      .LitApart(look.color, surface, this->WorldAt(part.t), this->lightCount,
+    const Reflector reflector = this->ReflectorAt(surface, part.t);
+    return PacketLights(this->scene, reflector.reflectance, this->directionWorld)
+      .LitApart(look.color, reflector.surface, this->WorldAt(part.t), this->lightCount,
         [&](int light, const Lanes3& own)
         { this->gathered.Add(light, this->LeftByCasters(light, seen, part, isSeen) * own); });
   }
@@ -267,24 +272,11 @@ private:
       return seen;
     }
     const Casters casters(this->scene, light);
-    const Lanes half = 0.5f * part.lengthMm;
+    const Lanes half = this->gathered.HalfLengthMm(part.lengthMm);
     return seen *
       this->edges[light].LitFraction(this->rays, part.t - half, part.t + half, isSeen,
         this->scene.rays.shadowStepMm,
         [&](Lanes t, LaneMask mask) { return casters.Leave(this->rays.At(t), mask); });
-  }
-
-  // The places at which surfaces see what is around them: off the side on which there would be less
-  // matter if values went on as they change here.
-  Lanes3 Outside(const Slope& slope, const Lanes3& placeGrid) const
-  {
-    const Lanes perVoxel = 0.5f * Length(slope.gradient); // differences over two voxels
-    const auto extinctionOf = [&](Lanes value)
-    { return this->LookOf(value, slope.gradient).extinction; };
-    const LaneMask isThinnerAbove =
-      LaneMask(extinctionOf(slope.value + perVoxel) < extinctionOf(slope.value - perVoxel));
-    const Lanes distance = float(LightLattice::SkyDistanceVoxels) * InverseLength(slope.gradient);
-    return placeGrid + Select(isThinnerAbove, distance, -distance) * slope.gradient;
   }
 
   /// Places that wait for a packet of rays to a light, which may be of any rays of the eye.
@@ -298,7 +290,7 @@ private:
 
   void SetLight(int light, LitPlaces& places) const
   {
-    const TracedLight<Voxels> traced(this->scene, this->voxels, light);
+    const TracedLight<Voxels> traced(SceneOfLight(this->scene), this->voxels, light);
     Waiting waiting;
     for (int place = 0; place < LitPlaces::MostPerRay; ++place)
     {
@@ -326,8 +318,8 @@ private:
       return;
     }
     const LaneMask mask = IntLanesOf([&](int i) { return i < waiting.count ? -1 : 0; });
-    const Numbers light(
-      traced.At(this->PlacesOf(waiting.lane, waiting.count, LanesAt(waiting.t)), mask));
+    const Lanes3 placeGrid = this->PlacesOf(waiting.lane, waiting.count, LanesAt(waiting.t));
+    const Numbers light(traced.At(PlaceOfLight(this->scene, placeGrid), mask));
     for (int i = 0; i < waiting.count; ++i)
     {
       *waiting.light[i] = light.of[i];
@@ -348,28 +340,28 @@ private:
       t * Lanes3(gathered(direction.x), gathered(direction.y), gathered(direction.z));
   }
 
-  Voxels voxels;
+  Voxels voxels;  ///< the voxels of SceneOfLight
   int lightCount; ///< number of lights that cast shadows
   CasterEdges edges[MostShadowedLights];
-  GatheredLight gathered;
+  typename GatheringIn<Voxels>::Type gathered;
 };
 
-template <class Voxels>
-OpenSurface SurfaceAt(const DimmedMaterial<Voxels>& material, const Slope& slope,
+template <class Voxels, class Undimmed>
+OpenSurface SurfaceAt(const DimmedMaterial<Voxels, Undimmed>& material, const Slope& slope,
   const Lanes3& placeGrid, LaneMask mask)
 {
   return material.SurfaceAt(slope, placeGrid, mask);
 }
 
-template <class Voxels>
-void AddLit(PacketSum& sum, DimmedMaterial<Voxels>& material, Lanes value,
+template <class Voxels, class Undimmed>
+void AddLit(PacketSum& sum, DimmedMaterial<Voxels, Undimmed>& material, Lanes value,
   const OpenSurface& surface, const RayPart& part)
 {
   material.Add(sum, value, surface, part);
 }
 
-template <class Voxels>
-void AddOwed(PacketSum& sum, DimmedMaterial<Voxels>& material)
+template <class Voxels, class Undimmed>
+void AddOwed(PacketSum& sum, DimmedMaterial<Voxels, Undimmed>& material)
 {
   material.AddGathered(sum);
 }

@@ -4,27 +4,13 @@
 // The light that samples reflect, kept until it is known how much of it reaches them. Light counts
 // only in proportion to what an eye sees of it, which is known at the end of a stretch of the ray.
 
-#include "Core/Packets/PacketRays.h"
-#include "Core/Packets/PacketScene.h"
-#include "Core/Packets/ShaderMath.h"
+#include "Core/Packets/Reach/LitPlaces.h"
 
 namespace varimarch
 {
 
 namespace
 {
-
-/// Places along the rays of a packet, and the part of a light that reaches them.
-struct LitPlaces
-{
-  static constexpr int MostPerRay = 24;
-
-  int count[LaneCount]; ///< number of places of each ray
-  float t[MostPerRay][LaneCount];
-  float weight[MostPerRay][LaneCount]; ///< influence on the colour
-  float light[MostPerRay][LaneCount];  ///< part that reaches the place
-  bool isNeeded[MostPerRay][LaneCount];
-};
 
 /// The light that the samples of a packet's rays would reflect without shadows, in intervals of one
 /// length. In each, the optical depth to a light is taken as linear: of a quadratic through the
@@ -66,6 +52,9 @@ public:
     this->atEnd = along * (2.0f * along - 1.0f);
   }
 
+  /// Half of the length that a sample of a length stands for [mm].
+  static Lanes HalfLengthMm(Lanes lengthMm) { return 0.5f * lengthMm; }
+
   /// @param color  0 where nothing is seen
   void Add(int light, const Lanes3& color)
   {
@@ -89,13 +78,13 @@ public:
       for (int lane = 0; lane < LaneCount; ++lane)
       {
         this->SetPlaces(light, lane, places);
-        ChooseNeeded(lane, least, places);
+        places.ChooseNeeded(lane, least);
       }
       trace(light, places);
       float color[3][LaneCount] = {};
       for (int lane = 0; lane < LaneCount; ++lane)
       {
-        SetOthers(lane, places);
+        places.SetOthers(lane);
         this->AddColor(light, lane, places, color);
       }
       sum = sum + Lanes3(LanesAt(color[0]), LanesAt(color[1]), LanesAt(color[2]));
@@ -190,13 +179,6 @@ private:
     }
   }
 
-  static float Largest(const float (&color)[3])
-  {
-    const auto size = [](float number) { return number < 0.0f ? -number : number; };
-    const float first = size(color[0]) > size(color[1]) ? size(color[0]) : size(color[1]);
-    return first > size(color[2]) ? first : size(color[2]);
-  }
-
   // True if an interval begins where the one before it ends.
   bool GoesOn(int interval, int lane) const
   {
@@ -210,58 +192,19 @@ private:
     for (int i = 0; i < this->count[lane]; ++i)
     {
       const RayPart& part = this->parts[light][i][lane];
-      const float middle = 0.5f * Largest(part.inMiddle);
+      const float middle = 0.5f * LargestOf(part.inMiddle);
       if (!this->GoesOn(i, lane))
       {
         ++place;
         places.t[place][lane] = this->starts[i][lane];
         places.weight[place][lane] = 0.0f;
       }
-      places.weight[place][lane] += Largest(part.atStart) + middle;
+      places.weight[place][lane] += LargestOf(part.atStart) + middle;
       ++place;
       places.t[place][lane] = this->starts[i][lane] + this->intervalMm;
-      places.weight[place][lane] = Largest(part.atEnd) + middle;
+      places.weight[place][lane] = LargestOf(part.atEnd) + middle;
     }
     places.count[lane] = place + 1;
-  }
-
-  // Light is not needed at places that together have next to no influence.
-  static void ChooseNeeded(int lane, float least, LitPlaces& places)
-  {
-    float unlit = 0.0f;
-    for (int place = 0; place < places.count[lane]; ++place)
-    {
-      unlit += places.weight[place][lane];
-      places.isNeeded[place][lane] = unlit > least;
-      unlit = unlit > least ? 0.0f : unlit;
-      places.light[place][lane] = 0.5f; // the error is then at most half of the influence
-    }
-  }
-
-  // Between the places at which the light is known, it is linear.
-  static void SetOthers(int lane, LitPlaces& places)
-  {
-    int known = -1;
-    for (int place = 0; place < places.count[lane]; ++place)
-    {
-      if (!places.isNeeded[place][lane])
-      {
-        continue;
-      }
-      const float light = places.light[place][lane];
-      for (int other = known + 1; other < place; ++other)
-      {
-        const float before = known < 0 ? light : places.light[known][lane];
-        const float from = places.t[known < 0 ? other : known][lane];
-        const float along = (places.t[other][lane] - from) / (places.t[place][lane] - from);
-        places.light[other][lane] = before + along * (light - before);
-      }
-      known = place;
-    }
-    for (int other = known + 1; other < places.count[lane] && known >= 0; ++other)
-    {
-      places.light[other][lane] = places.light[known][lane];
-    }
   }
 
   void AddColor(int light, int lane, const LitPlaces& places, float (&color)[3][LaneCount]) const

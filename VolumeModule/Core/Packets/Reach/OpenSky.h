@@ -4,8 +4,8 @@
 // Light from all around, as far as matter near a place lets it through: ambient occlusion.
 
 #include "Core/Packets/Flattened.h"
+#include "Core/Packets/Reach/DepthAlong.h"
 #include "Core/Packets/Reach/LightCells.h"
-#include "Core/Packets/Reach/ShadowRays.h"
 
 namespace varimarch
 {
@@ -67,8 +67,7 @@ private:
     // A surface is farther from its place than the first segment.
     const float longestMm = this->scene.sky.stepMm;
     const ShadowMarch march = { longestMm, All(0.5f * longestMm), this->scene.sky.mostDepth };
-    return ShadowDepth<Voxels>(this->scene, this->voxels, rays, march)
-      .Along(mask, NothingIsKnown());
+    return DepthAlong(this->scene, this->voxels, rays, march, mask, NothingIsKnown());
   }
 
   const PacketScene& scene;

@@ -3,11 +3,8 @@
 
 // Twin of Reach/ShadowRays.glsl.
 
-#include "Core/Fields/GapField.h"
-#include "Core/Packets/Crop/Regions.h"
-#include "Core/Packets/Mask/Voxels.h"
-#include "Core/Packets/Material/OneComponent.h"
-#include "Core/Packets/PacketLattice.h"
+#include "Core/Packets/Reach/MatterAlong.h"
+#include "Core/Packets/Shade/Lights.h"
 #include "Core/Packets/Step/OpticalField.h"
 
 #include <algorithm>
@@ -48,7 +45,7 @@ public:
     , rays(rays)
     , march(march)
     , walk(scene, rays, 0, 0)
-    , material(scene, rays)
+    , matter(scene, rays)
     , t(rays.enter)
     , plainMm(march.firstMm)
     , endValue(voxels.ValueAt(rays.At(rays.enter)))
@@ -78,16 +75,17 @@ public:
   }
 
   /// The extinction where the rays are [1/mm].
-  Lanes ExtinctionHere(LaneMask mask) const
+  Lanes ExtinctionHere(LaneMask mask)
   {
     LaneMask absorbs = mask & MayAbsorb(this->scene.look, this->endValue, this->endValue);
     if (Any(absorbs))
     {
-      absorbs &= this->IsSeen(this->t);
+      this->matter.GoTo(this->t, absorbs);
+      absorbs &= this->matter.IsLeft(this->t);
     }
     return Any(absorbs)
-      ? Select(absorbs, this->ExtinctionOfValue(this->endValue, this->GradientAt(this->t, absorbs)),
-          Lanes{})
+      ? Select(absorbs,
+          this->matter.ExtinctionOf(this->endValue, this->GradientAt(this->t, absorbs)), Lanes{})
       : Lanes{};
   }
 
@@ -96,7 +94,8 @@ private:
   {
     const SegmentLanes next = this->walk.NextOfBricks(this->t, this->plainMm, mask);
     const LaneMask jumps = LaneMask(next.enter > this->t);
-    const Lanes end = Min(Select(jumps, next.enter, next.exit), this->rays.exit);
+    const Lanes uncut = Min(next.exit, this->matter.GoTo(this->t, mask));
+    const Lanes end = Min(Select(jumps, next.enter, uncut), this->rays.exit);
     const Lanes lengthMm = Select(jumps, Lanes{}, Max(end - next.enter, Lanes{}));
     const Lanes startValue = this->endValue;
     this->endValue = Select(mask, this->voxels.ValueAt(this->rays.At(end)), this->endValue);
@@ -104,7 +103,7 @@ private:
       mask & LaneMask(lengthMm > 0.0f) & MayAbsorb(this->scene.look, startValue, this->endValue);
     if (Any(absorbs))
     {
-      absorbs &= this->IsSeen(end - 0.5f * lengthMm);
+      absorbs &= this->matter.IsLeft(end - 0.5f * lengthMm);
     }
     if (Any(absorbs))
     {
@@ -116,30 +115,6 @@ private:
     this->plainMm = Select(jumps, this->plainMm, longer);
   }
 
-  // The rays at whose place cropping, a mask and gaps leave the volume.
-  LaneMask IsSeen(Lanes place) const
-  {
-    LaneMask isSeen = LaneMask(place == place);
-    if (this->scene.rays.croppingRegions != 0)
-    {
-      isSeen &= CroppedPieces(this->scene, this->rays).IsDrawn(place);
-    }
-    if (this->scene.textures.maskTexture)
-    {
-      isSeen &= MaskedPieces(this->scene, this->rays).IsDrawn(place);
-    }
-    if (const auto* const texels = this->scene.textures.gapTexture.template Texels<std::uint8_t>())
-    {
-      const VolumeParameters& p = this->scene.parameters;
-      const PacketLattice cells(this->rays, 1.0f, -p.gapShift, glm::ivec3(p.gapCellCount));
-      const IntNumbers index = cells.IndexOf(cells.At(place).cell);
-      const IntLanes texel =
-        IntLanesOf([&](int lane) { return std::int32_t(texels[index.of[lane]]); });
-      isSeen &= (texel != GapField::NoValue) & (texel != GapField::LeftOut);
-    }
-    return isSeen;
-  }
-
   Lanes MeanExtinction(Lanes startValue, Lanes end, LaneMask mask) const
   {
     const Lanes3 gradient = this->GradientAt(end, mask);
@@ -148,27 +123,16 @@ private:
     for (int part = 0; part < Parts; ++part)
     {
       const Lanes value = Mix(startValue, this->endValue, All((float(part) + 0.5f) / Parts));
-      sum = sum + this->ExtinctionOfValue(value, gradient);
+      sum = sum + this->matter.ExtinctionOf(value, gradient);
     }
     return (1.0f / Parts) * sum;
-  }
-
-  bool IsOfValues() const
-  {
-    return !this->scene.textures.gradientOpacityTable && !this->scene.textures.twoValueTable;
   }
 
   // The gradient at a place, where extinction depends on it.
   Lanes3 GradientAt(Lanes place, LaneMask mask) const
   {
-    return this->IsOfValues() ? Lanes3(0.0f)
-                              : this->voxels.SlopeAt(this->rays.At(place), mask).gradient;
-  }
-
-  Lanes ExtinctionOfValue(Lanes value, const Lanes3& gradient) const
-  {
-    return this->IsOfValues() ? ExtinctionOf(this->scene.look, value)
-                              : this->material.LookOf(value, gradient).extinction;
+    return this->matter.IsOfValues() ? Lanes3(0.0f)
+                                     : this->voxels.SlopeAt(this->rays.At(place), mask).gradient;
   }
 
   const PacketScene& scene;
@@ -176,7 +140,7 @@ private:
   const PacketRays& rays;
   const ShadowMarch& march;
   PacketWalk walk;
-  PacketMaterial material;
+  MatterAlong matter;
   Lanes t;
   Lanes plainMm;
   Lanes endValue;

@@ -1,0 +1,186 @@
+// Shadows and ambient occlusion of label maps and of voxels without interpolation, compared with a
+// reference in double precision.
+
+#include "Module/LabelledTorso.h"
+#include "Module/ReferenceMaterials.h"
+#include "Module/SlabScene.h"
+#include "Module/UsualSettings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double ReferenceTolerance = 2e-3;
+constexpr double UsualTolerance = 1.0 / 64.0;
+
+// A labelled torso under a sun and a lamp.
+class LitTorso : public LabelledTorso
+{
+public:
+  explicit LitTorso(int pictureSide)
+    : LabelledTorso(pictureSide)
+  {
+    this->scene.volume->GetProperty()->ShadeOn();
+    this->scene.mapper->SetErrorTolerance(UsualTolerance);
+    UseSunAndLamp(this->scene.renderer);
+  }
+
+  void RemoveLabels() { this->scene.mapper->SetMaskInput(nullptr); }
+  void UseBoxes() { this->scene.volume->GetProperty()->SetInterpolationTypeToNearest(); }
+
+  UnlitLook LookOfLabels(const UnlitLook& ofVoxels)
+  {
+    UnlitLook look = ofVoxels;
+    look.properties = [this, ofVoxels](glm::dvec3 position, double value)
+    { return this->LookAt(position, value, ofVoxels.gradient(position)); };
+    return look;
+  }
+
+  // The error of the processor's image of a look.
+  ImageError ErrorOf(const UnlitLook& look)
+  {
+    const std::vector<float> truth = this->scene.TruthOf(
+      DimmedMaterial(this->scene, look, ReferenceTolerance), ReferenceTolerance);
+    const std::vector<float> drawn = this->scene.DrawByProcessor();
+    EXPECT_TRUE(this->scene.ShaderParts().empty()) << "packets march";
+    return CompareImages(drawn.data(), truth.data(), truth.size() / 4);
+  }
+
+  // The error of images without what dims the light.
+  ImageError ErrorWithoutDimming(const std::vector<float>& dimmed)
+  {
+    this->scene.mapper->ShadowsOff();
+    this->scene.mapper->SetAmbientOcclusion(0.0);
+    const std::vector<float> drawn = this->scene.DrawByProcessor();
+    return CompareImages(dimmed.data(), drawn.data(), drawn.size() / 4);
+  }
+};
+
+}
+
+TEST(LightOfLabels, KeepsTheErrorToleranceWithShadows)
+{
+  LitTorso torso(8);
+  torso.scene.mapper->ShadowsOn();
+  const UnlitLook look = torso.LookOfLabels(InterpolatedLook(torso.scene));
+  EXPECT_LT(torso.ErrorOf(look).percentile999, 255.0 * UsualTolerance);
+  EXPECT_GT(torso.ErrorWithoutDimming(torso.scene.DrawByProcessor()).percentile999, 20.0)
+    << "shadows are seen";
+}
+
+// The reference of other labels takes minutes.
+TEST(LightOfLabels, ThatLookLikeTheVolumeIsThatOfTheVolume)
+{
+  LitTorso torso(24);
+  vtkVolumeProperty* const property = torso.scene.volume->GetProperty();
+  property->SetLabelColor(1, torso.scene.colors);
+  property->SetLabelScalarOpacity(1, torso.scene.opacities);
+  property->SetLabelGradientOpacity(2, nullptr);
+  const vtkSmartPointer<vtkImageData> mask = torso.scene.mapper->GetMaskInput();
+  for (const bool areBoxes : { false, true })
+  {
+    areBoxes ? torso.UseBoxes() : property->SetInterpolationTypeToLinear();
+    for (const double occlusion : { 0.0, 0.5 })
+    {
+      torso.scene.mapper->SetShadows(occlusion == 0.0);
+      torso.scene.mapper->SetAmbientOcclusion(occlusion);
+      torso.scene.mapper->SetMaskInput(mask);
+      const std::vector<float> ofLabels = torso.scene.DrawByProcessor();
+      torso.RemoveLabels();
+      const std::vector<float> ofVolume = torso.scene.DrawByProcessor();
+      EXPECT_LT(CompareImages(ofLabels.data(), ofVolume.data(), ofVolume.size() / 4).percentile999,
+        2.0 * 255.0 * UsualTolerance)
+        << areBoxes << ", " << occlusion;
+    }
+  }
+}
+
+// Shaders cannot judge shadows on surfaces of labels: without a graphics card OpenGL ends them.
+TEST(LightOfLabels, InWeakShadowsIsThatWithoutShadows)
+{
+  LitTorso torso(32);
+  for (const bool areSurfaces : { false, true })
+  {
+    torso.scene.mapper->SetLabelSurfaces(areSurfaces);
+    torso.scene.mapper->ShadowsOff();
+    const std::vector<float> unshadowed = torso.scene.DrawByProcessor();
+    torso.scene.mapper->ShadowsOn();
+    torso.scene.mapper->SetShadowStrength(1e-4);
+    const std::vector<float> shadowed = torso.scene.DrawByProcessor();
+    EXPECT_LT(CompareImages(shadowed.data(), unshadowed.data(), shadowed.size() / 4).percentile999,
+      2.0 * 255.0 * UsualTolerance)
+      << areSurfaces;
+  }
+}
+
+TEST(LightOfBoxes, KeepsTheErrorToleranceWithShadows)
+{
+  for (const double mostOpacity : { 0.02, 0.2, 0.9999 })
+  {
+    LitTorso torso(12);
+    torso.RemoveLabels();
+    torso.UseBoxes();
+    torso.scene.mapper->ShadowsOn();
+    torso.scene.opacities->RemoveAllPoints();
+    torso.scene.opacities->AddPoint(-200.0, 0.0);
+    torso.scene.opacities->AddPoint(300.0, mostOpacity);
+    EXPECT_LT(torso.ErrorOf(LookOfBoxes(torso.scene)).percentile999, 255.0 * UsualTolerance)
+      << mostOpacity;
+    EXPECT_GT(torso.scene.mapper->GetToleranceSearches(), 0) << "light is sampled";
+  }
+}
+
+TEST(LightOfBoxes, KeepsTheErrorToleranceWithOcclusion)
+{
+  LitTorso torso(5);
+  torso.RemoveLabels();
+  torso.UseBoxes();
+  torso.scene.mapper->SetAmbientOcclusion(0.5);
+  EXPECT_LT(torso.ErrorOf(LookOfBoxes(torso.scene)).largest, 1.25 * 255.0 * UsualTolerance);
+  EXPECT_GT(torso.ErrorWithoutDimming(torso.scene.DrawByProcessor()).largest, 20.0)
+    << "occlusion is seen";
+}
+
+TEST(LightOfBoxes, KeepsTheErrorToleranceWithLabels)
+{
+  LitTorso torso(6);
+  torso.UseBoxes();
+  torso.scene.mapper->ShadowsOn();
+  const UnlitLook look = torso.LookOfLabels(LookOfBoxes(torso.scene));
+  EXPECT_LT(torso.ErrorOf(look).percentile999, 255.0 * UsualTolerance);
+}
+
+// Half of the light is absorbed in the first of eight boxes, or all of it: what is seen of a box is
+// not in its middle.
+TEST(LightOfBoxes, OfASlabHasItsClosedForm)
+{
+  constexpr double Red = 0.8;
+  constexpr double SlabMm = 8.0;
+  for (const double opacity : { 0.1, 0.5, 0.99999 })
+  {
+    SlabScene slab(opacity, Red);
+    vtkVolumeProperty* const property = slab.volume->GetProperty();
+    property->ShadeOn();
+    property->SetAmbient(0.0);
+    property->SetDiffuse(1.0);
+    property->SetSpecular(0.0);
+    property->SetInterpolationTypeToNearest();
+    slab.renderer->AutomaticLightCreationOff();
+    slab.renderer->RemoveAllLights();
+    AddLight(slab.renderer, { 80.0, 0.0, 60.0 }, glm::dvec3(0.0));
+    slab.mapper->ShadowsOn();
+    slab.mapper->SetErrorTolerance(1.0 / 255.0);
+    const double extinction = -std::log1p(-opacity);
+    constexpr double Cosine = 0.6;
+    const double both = extinction * (1.0 + 1.0 / Cosine);
+    const double expected = Red * Cosine * extinction / both * (1.0 - std::exp(-both * SlabMm));
+    const std::vector<float> drawn = slab.DrawByProcessor();
+    EXPECT_NEAR(drawn[4 * (drawn.size() / 8)], expected, 1.0 / 255.0) << opacity;
+  }
+}

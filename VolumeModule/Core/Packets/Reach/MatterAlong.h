@@ -1,0 +1,104 @@
+#ifndef Varimarch_Core_Packets_Reach_MatterAlong_h
+#define Varimarch_Core_Packets_Reach_MatterAlong_h
+
+// The matter that takes light along rays of any origin.
+
+#include "Core/Fields/GapField.h"
+#include "Core/Packets/Crop/Regions.h"
+#include "Core/Packets/Mask/Voxels.h"
+#include "Core/Packets/Material/LabelLooks.h"
+#include "Core/Packets/Material/OneComponent.h"
+#include "Core/Packets/PacketLattice.h"
+
+namespace varimarch
+{
+
+namespace
+{
+
+/// The matter that cropping, a mask and gaps leave along rays that are followed forwards.
+class MatterAlong
+{
+public:
+  MatterAlong(const PacketScene& scene, const PacketRays& rays)
+    : scene(scene)
+    , rays(rays)
+    , material(scene, rays)
+    , looks(scene)
+    , mask(scene, rays)
+  {
+  }
+
+  /// Goes on to t. Returns the next place at which cropping or the mask may cut the rays.
+  /// @param isAsked  the rays that matter
+  Lanes GoTo(Lanes t, LaneMask isAsked)
+  {
+    Lanes face = All(Never);
+    if (this->scene.textures.maskTexture)
+    {
+      face = this->mask.GoTo(t, isAsked);
+    }
+    return this->scene.rays.croppingRegions != 0
+      ? Min(face, CroppedPieces(this->scene, this->rays).NextCrossing(t))
+      : face;
+  }
+
+  /// The rays with matter at a place, which lies before the next cut.
+  LaneMask IsLeft(Lanes place) const
+  {
+    LaneMask isLeft = LaneMask(place == place);
+    if (this->scene.rays.croppingRegions != 0)
+    {
+      isLeft &= CroppedPieces(this->scene, this->rays).IsDrawn(place);
+    }
+    if (this->scene.textures.maskTexture)
+    {
+      isLeft &= LaneMask(FloatOf(this->mask.Content()) > this->scene.parameters.leastContent);
+    }
+    if (const auto* const texels = this->scene.textures.gapTexture.template Texels<std::uint8_t>())
+    {
+      const VolumeParameters& p = this->scene.parameters;
+      const PacketLattice cells(this->rays, 1.0f, -p.gapShift, glm::ivec3(p.gapCellCount));
+      const IntNumbers index = cells.IndexOf(cells.At(place).cell);
+      const IntLanes texel =
+        IntLanesOf([&](int lane) { return std::int32_t(texels[index.of[lane]]); });
+      isLeft &= (texel != GapField::NoValue) & (texel != GapField::LeftOut);
+    }
+    return isLeft;
+  }
+
+  /// True if extinction depends on values alone.
+  bool IsOfValues() const
+  {
+    return !this->scene.textures.gradientOpacityTable && !this->scene.textures.twoValueTable;
+  }
+
+  /// The extinction of values where the rays are [1/mm].
+  Lanes ExtinctionOf(Lanes value, const Lanes3& gradient) const
+  {
+    if (this->scene.labelRows)
+    {
+      return this->ExtinctionOfLabels(value, gradient);
+    }
+    return this->IsOfValues() ? varimarch::ExtinctionOf(this->scene.look, value)
+                              : this->material.LookOf(value, gradient).extinction;
+  }
+
+private:
+  [[gnu::noinline]] Lanes ExtinctionOfLabels(Lanes value, const Lanes3& gradient) const
+  {
+    return this->looks.Of(this->mask.Content(), value, gradient).extinction;
+  }
+
+  const PacketScene& scene;
+  const PacketRays& rays;
+  PacketMaterial material;
+  LabelLooks looks;
+  MaskWalk mask;
+};
+
+}
+
+}
+
+#endif
