@@ -139,10 +139,13 @@ public:
    * only. It is fastest with AVX2. Default: on.
    *
    * Shaders still draw what packets do not support: slices; masks of other dimensions than the
-   * volume; transfer functions of two arrays; shaded volumes with non-finite values; user code; a
-   * limit set by MaximumGraphicsMemory; isosurfaces, averages and sums with nearest interpolation;
-   * and extremes, averages and sums of several components or of rectilinear grids, or with
-   * RenderToImage.
+   * volume; transfer functions of two arrays; shaded volumes with non-finite values; user code;
+   * isosurfaces, averages and sums with nearest interpolation; and extremes, averages and sums of
+   * several components or of rectilinear grids, or with RenderToImage. They also draw with a limit
+   * set by MaximumGraphicsMemory.
+   *
+   * With a graphics card too, packets draw light that shaders cannot: AmbientOcclusion, and Shadows
+   * and dimmed scattered light of a volume that does not fit into the graphics memory.
    *
    * Packets read 8 and 16 bit integers and finite floats in place. Voxels of several components, of
    * other types, or with non-finite values are copied first.
@@ -345,8 +348,9 @@ public:
    * composite with shading. The error tolerance holds for the image with its shadows, which takes
    * about three times as long as without and, where shaders draw it, many times as long. The light
    * that reaches the visible parts is kept while the volume, its look and a light stay, in up to an
-   * eighth of a byte for each voxel and light. Overlapping volumes and volumes in several blocks
-   * have none. Default: off.
+   * eighth of a byte for each voxel and light. Overlapping volumes have none. Packets of rays on the
+   * processor draw those of a volume that does not fit into the graphics memory (see
+   * ProcessorMarching). Default: off.
    *
    * Opaque geometry casts shadows on the volume too: the faces of the renderer's visible actors,
    * also in assemblies and outside the view, as far as their mappers' clipping planes leave them.
@@ -648,7 +652,8 @@ public:
    * Limit of the graphics memory that this mapper takes [bytes]. Default: 0, what the device has. A
    * volume that does not fit, or that exceeds the device's largest 3D texture, is drawn in blocks:
    * those that fit stay in graphics memory, the others are uploaded each time they are drawn. A
-   * volume that fits pays nothing for this.
+   * volume that fits pays nothing for this. With shadows or ambient occlusion, packets of rays on
+   * the processor draw a volume that does not fit, and need no blocks (see ProcessorMarching).
    */
   vtkSetClampMacro(MaximumGraphicsMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumGraphicsMemory, vtkIdType);
@@ -666,8 +671,9 @@ public:
    * scene takes voxels where the means may change it most, as many as are read soon, until
    * GetLevelErrorBound() is at most half of the ErrorTolerance (of 1/64 if there is none), whose
    * other half is for everything else. Voxels that no pixel needs are never read: clear ones, those
-   * of one material, and hidden ones. Images whose error cannot be bounded so are drawn by voxels.
-   * Default: AutomaticLevel.
+   * of one material, and hidden ones. Shadows of lights from infinity count; then voxels between
+   * what is seen and a light are read too, where they may change it. Images whose error cannot be
+   * bounded so are drawn by voxels. Default: AutomaticLevel.
    */
   enum
   {

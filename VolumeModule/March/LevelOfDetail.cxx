@@ -34,7 +34,7 @@ double LevelTolerance(const Frame& frame)
 // True if blocks may have different levels: what their voxels look like depends on no other block.
 bool CanBeRefined(const LevelInputs& inputs, const Frame& frame)
 {
-  return inputs.summary->areFinite && !frame.settings.shadows && !frame.settings.occlusion;
+  return inputs.summary->areFinite && !inputs.hasShadowsOfLamps && !frame.settings.occlusion;
 }
 
 // True while a scene whose voxels are drawn in parts is still shown by its coarse level: parts of

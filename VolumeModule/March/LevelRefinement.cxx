@@ -1,6 +1,8 @@
 #include "March/LevelRefinement.h"
 
+#include "Core/Geometry/LightCone.h"
 #include "Core/Look/OpticalTable.h"
+#include "Core/Packets/PacketScene.h"
 #include "Frame/Lights.h"
 #include "Readers/VoxelLayout.h"
 #include "Resources/MaterialTables.h"
@@ -8,6 +10,8 @@
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
+
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +35,14 @@ bool IsPlainComposite(const Frame& frame, bool hasGaps)
   return settings.blend == Blend::Composite && settings.functionOf == FunctionOf::Value &&
     !settings.cubic && !settings.gradientOpacity && !settings.windowLevel && !settings.scattering &&
     isWhole && hasClearGaps && frame.others.empty() && frame.userCode.IsEmpty();
+}
+
+// The largest number that a lamp makes of a colour of at most 1, on a surface that faces it.
+double LitBy(const glm::dvec4& reflectance, const glm::vec4* texels)
+{
+  const glm::dvec3 lit =
+    reflectance.y * glm::dvec3(texels[1]) + reflectance.z * glm::dvec3(texels[2]);
+  return std::max({ lit.x, lit.y, lit.z });
 }
 
 // The largest number that lights make of a colour of at most 1, on a surface that faces them all.
@@ -60,6 +72,44 @@ std::optional<double> BrightestOf(const Frame& frame)
     return LitByAllLights(frame);
   }
   return frame.settings.occlusion ? std::optional<double>(1.0) : std::nullopt;
+}
+
+int ShadowedDistantCount(const Frame& frame, const LightTexels& lamps)
+{
+  return frame.settings.shadows ? std::min(lamps.distantCount, MostShadowedLights) : 0;
+}
+
+// The lights from infinity that cast shadows, those with a cone as all of its directions.
+std::vector<LevelLight> ShadowedLightsOf(const Frame& frame)
+{
+  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  const glm::dvec4 reflectance = ReflectanceOf(frame.material.property, 0);
+  const glm::dmat3 gridFromWorld = glm::inverse(frame.geometry.WorldFromGridDirection());
+  std::vector<LevelLight> lights;
+  for (int lamp = 0; lamp < ShadowedDistantCount(frame, lamps); ++lamp)
+  {
+    const glm::vec4* const texel = &lamps.texels[std::size_t(lamp) * LightTexels::PerLight];
+    const glm::dvec3 towards(texel[0]);
+    const double strength = frame.material.surfacesInShadow * LitBy(reflectance, texel);
+    const double coneHeight = texel[0].w;
+    if (coneHeight == 0.0 && strength > 0.0)
+    {
+      lights.push_back({ gridFromWorld * towards, strength });
+    }
+    for (int i = 0; i < ConeDirections && coneHeight > 0.0 && strength > 0.0; ++i)
+    {
+      const WeightedDirection one =
+        DirectionsInCone(towards, std::acos(1.0 - coneHeight))[std::size_t(i)];
+      lights.push_back({ gridFromWorld * one.direction, one.weight * strength });
+    }
+  }
+  return lights;
+}
+
+bool HasShadowsOfLamps(const Frame& frame)
+{
+  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  return frame.settings.shadows && lamps.nearCount > 0 && lamps.distantCount < MostShadowedLights;
 }
 
 double LargestOf(const std::vector<double>& bounds)
@@ -102,7 +152,7 @@ std::optional<LevelInputs> LevelInputsOf(
     frame.fingerprint,
     ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),
-    frame.geometry.boxGrid, brightest };
+    frame.geometry.boxGrid, brightest, ShadowedLightsOf(frame), HasShadowsOfLamps(frame) };
 }
 
 double BoundOfLevelAlone(const LevelInputs& inputs)

@@ -28,6 +28,8 @@ struct LevelInputs
   glm::dmat3 worldFromGrid;
   Box boxGrid;
   std::optional<double> brightest; ///< See BlockLooks.
+  std::vector<LevelLight> lights;  ///< The lights from infinity that cast shadows.
+  bool hasShadowsOfLamps;          ///< True if lights at places of the world cast shadows.
 
   BlockLooks Looks() const;
   bool HasLooksOf(const LevelInputs& other) const
@@ -38,7 +40,8 @@ struct LevelInputs
   /// @param endsEarlier  see LevelBoundScene
   LevelBoundScene SceneOf(const BlockLooks& looks, bool endsEarlier) const
   {
-    return { looks, this->rays, this->pixels, this->worldFromGrid, this->boxGrid, endsEarlier };
+    return { looks, this->rays, this->pixels, this->worldFromGrid, this->boxGrid, endsEarlier,
+      this->lights };
   }
 };
 

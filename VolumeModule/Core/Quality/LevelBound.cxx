@@ -26,6 +26,7 @@ struct Segment
   std::size_t place; ///< The place of the block in BlockLevels.
   double mm;
   bool isOfVoxels;
+  double light; ///< a bound of what the levels of other blocks change in its colours
   LookBetween look;
   double leastOpacity;
   double mostOpacity;
@@ -47,6 +48,13 @@ void Take(const LookBetween& look, Segment& segment)
   segment.mostOpacity = -std::expm1(-segment.mm * double(look.most.a));
 }
 
+/// The bounds of what levels change in the light of blocks; empty without lights.
+std::vector<double> LightOf(const LevelBoundScene& scene, const BlockLevels& levels)
+{
+  return scene.lights.empty() ? std::vector<double>()
+                              : LightBounds(scene.looks, levels, scene.lights);
+}
+
 /// The bounds of what a ray meets in a block.
 LookBetween LookOf(const LevelBoundScene& scene, const BlockLevels& levels, std::size_t place,
   const glm::ivec3& block)
@@ -58,9 +66,10 @@ LookBetween LookOf(const LevelBoundScene& scene, const BlockLevels& levels, std:
 }
 
 /// The parts of the ray of a pixel that may be seen, front to back.
+/// @param light  see LightOf
 /// @param pixel  the place of its centre, [-1, 1]
-std::vector<Segment> SegmentsOf(
-  const LevelBoundScene& scene, const BlockLevels& levels, const glm::dvec2& pixel)
+std::vector<Segment> SegmentsOf(const LevelBoundScene& scene, const BlockLevels& levels,
+  const std::vector<double>& light, const glm::dvec2& pixel)
 {
   constexpr double MostDepth = 20.0;
   const Ray rayGrid = scene.rays.At(pixel.x, pixel.y);
@@ -81,8 +90,8 @@ std::vector<Segment> SegmentsOf(
       const double mm = (part.t.exit - part.t.enter) * mmPerT;
       if (look.most.a > 0.0f)
       {
-        segments.push_back(
-          { place, mm, levels.ofBlocks[place] != BlockLevel::Coarse, {}, 0.0, 0.0, 0.0 });
+        segments.push_back({ place, mm, levels.ofBlocks[place] != BlockLevel::Coarse,
+          light.empty() ? 0.0 : light[place], {}, 0.0, 0.0, 0.0 });
         Take(look, segments.back());
         leastDepth += mm * double(look.least.a);
       }
@@ -104,12 +113,22 @@ double MostAdded(const Channel& behind, const Segment& segment, double leastColo
     (double(look.most.a) - leastExtinction) * fromComposite * seenMm;
 }
 
-/// Goes on to what is in front of a segment.
-/// @return a bound of what its level adds to the difference
-double Pass(Channel& channel, const Segment& segment, double leastColor, double mostColor)
+/// A channel of the looks along a ray.
+struct ColorBetween
 {
-  const double added =
-    segment.isOfVoxels ? 0.0 : MostAdded(channel, segment, leastColor, mostColor);
+  double least;
+  double most;
+  double light; ///< the most that other light changes in it, where the look is the same
+};
+
+/// Goes on to what is in front of a segment.
+/// @return a bound of what levels add to the difference
+double Pass(Channel& channel, const Segment& segment, const ColorBetween& color)
+{
+  const double leastColor = color.least;
+  const double mostColor = color.most;
+  const double added = segment.isOfVoxels ? segment.mostOpacity * color.light
+                                          : MostAdded(channel, segment, leastColor, mostColor);
   const double forLeast = leastColor < channel.least ? segment.mostOpacity : segment.leastOpacity;
   const double forMost = mostColor > channel.most ? segment.mostOpacity : segment.leastOpacity;
   channel.least += forLeast * (leastColor - channel.least);
@@ -119,19 +138,32 @@ double Pass(Channel& channel, const Segment& segment, double leastColor, double 
   return std::min(added, width);
 }
 
+/// The parts of a tolerance that the looks of blocks may take where there are lights, and that the
+/// light of blocks may take which counts.
+constexpr double LookShare = 0.5;
+constexpr double LightShare = 0.4;
+
+/// The differences that a bound of a ray counts.
+enum class BoundOn
+{
+  Looks, ///< as if all light were that through voxels
+  All,
+};
+
 /// The bound of a ray; finds the contributions of its segments.
-double BoundOf(std::vector<Segment>& segments)
+double BoundOf(std::vector<Segment>& segments, BoundOn on)
 {
   std::array<Channel, 4> channels;
   for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment)
   {
     // The opacity is the composite of a colour of 1.
-    segment->contribution = Pass(channels[3], *segment, 1.0, 1.0);
+    segment->contribution = Pass(channels[3], *segment, { 1.0, 1.0, 0.0 });
     for (int i = 0; i < 3; ++i)
     {
-      segment->contribution = std::max(segment->contribution,
-        Pass(channels[std::size_t(i)], *segment, double(segment->look.least[i]),
-          double(segment->look.most[i])));
+      const ColorBetween color{ double(segment->look.least[i]), double(segment->look.most[i]),
+        on == BoundOn::All ? segment->light : 0.0 };
+      segment->contribution =
+        std::max(segment->contribution, Pass(channels[std::size_t(i)], *segment, color));
     }
   }
   double transmittance = 1.0;
@@ -148,14 +180,27 @@ double BoundOf(std::vector<Segment>& segments)
   return std::min(bound, 1.0);
 }
 
-/// Takes voxels for segments of a ray, those first that contribute most, until its bound is at most
-/// the tolerance.
-/// @param taken  becomes 1 for their blocks
-/// @return the bound
-double RefineRay(const BlockLooks& looks, double tolerance, std::vector<Segment>& segments,
-  std::vector<std::atomic<std::uint8_t>>& taken)
+/// Marks for blocks.
+using Marks = std::vector<std::atomic<std::uint8_t>>;
+
+/// The findings of a round of refinement for blocks.
+struct Findings
 {
-  double bound = BoundOf(segments);
+  Marks taken; ///< 1 for blocks of which it takes voxels
+  Marks lit;   ///< 1 for blocks of voxels whose light counts and has to be more exact
+};
+
+void Mark(Marks& marks, std::size_t place)
+{
+  marks[place].store(1, std::memory_order_relaxed);
+}
+
+/// Takes voxels for segments of a ray, those first that contribute most, until the bound on their
+/// looks is at most the tolerance.
+void RefineLooks(
+  const BlockLooks& looks, double tolerance, std::vector<Segment>& segments, Marks& taken)
+{
+  double bound = BoundOf(segments, BoundOn::Looks);
   std::vector<std::pair<double, std::size_t>> order;
   double left = 0.0;
   for (std::size_t i = 0; i < segments.size() && bound > tolerance; ++i)
@@ -175,10 +220,29 @@ double RefineRay(const BlockLooks& looks, double tolerance, std::vector<Segment>
       left += next->first;
       segment.isOfVoxels = true;
       Take(looks.OfVoxels(segment.place), segment);
-      taken[segment.place].store(1, std::memory_order_relaxed);
+      Mark(taken, segment.place);
       ++next;
     } while (next != order.end() && left > goal);
-    bound = BoundOf(segments);
+    bound = BoundOf(segments, BoundOn::Looks);
+  }
+}
+
+/// Finds what a ray needs so that its bound is at most the tolerance.
+/// @return the bound, which may still be larger where light has to be more exact
+double RefineRay(const LevelBoundScene& scene, double tolerance, std::vector<Segment>& segments,
+  Findings& findings)
+{
+  const bool isLit = !scene.lights.empty();
+  RefineLooks(scene.looks, isLit ? LookShare * tolerance : tolerance, segments, findings.taken);
+  const double bound = BoundOf(segments, BoundOn::All);
+  const double least =
+    (1.0 - LookShare - LightShare) * tolerance / double(std::max<std::size_t>(segments.size(), 1));
+  for (const Segment& segment : segments)
+  {
+    if (isLit && bound > tolerance && segment.isOfVoxels && segment.contribution > least)
+    {
+      Mark(findings.lit, segment.place);
+    }
   }
   return bound;
 }
@@ -198,17 +262,42 @@ void ForEachPixel(const glm::ivec2& pixels, int firstRow, int endRow, Visit visi
     });
 }
 
+/// Takes voxels for blocks of the coarse level that are marked.
+/// @return their number
+std::size_t TakeMarked(const Marks& taken, BlockLevels& levels)
+{
+  std::size_t count = 0;
+  for (std::size_t place = 0; place < taken.size(); ++place)
+  {
+    const bool isNew = levels.ofBlocks[place] == BlockLevel::Coarse && taken[place] != 0;
+    levels.ofBlocks[place] = isNew ? BlockLevel::Voxels : levels.ofBlocks[place];
+    count += isNew ? 1 : 0;
+  }
+  return count;
+}
+
+/// Finds the bounds of pixels anew whose bounds exceed a tolerance.
+void UpdateBounds(const LevelBoundScene& scene, const BlockLevels& levels, double tolerance,
+  std::vector<double>& bounds)
+{
+  const std::vector<double> light = LightOf(scene, levels);
+  ForEachPixel(scene.pixels, 0, scene.pixels.y,
+    [&](std::size_t pixel, const glm::dvec2& place)
+    {
+      if (bounds[pixel] > tolerance)
+      {
+        std::vector<Segment> segments = SegmentsOf(scene, levels, light, place);
+        bounds[pixel] = BoundOf(segments, BoundOn::All);
+      }
+    });
+}
+
 }
 
 std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels& levels)
 {
-  std::vector<double> bounds(std::size_t(scene.pixels.x) * std::size_t(scene.pixels.y));
-  ForEachPixel(scene.pixels, 0, scene.pixels.y,
-    [&](std::size_t pixel, const glm::dvec2& place)
-    {
-      std::vector<Segment> segments = SegmentsOf(scene, levels, place);
-      bounds[pixel] = BoundOf(segments);
-    });
+  std::vector<double> bounds(std::size_t(scene.pixels.x) * std::size_t(scene.pixels.y), 1.0);
+  UpdateBounds(scene, levels, 0.0, bounds);
   return bounds;
 }
 
@@ -218,7 +307,8 @@ void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLev
   std::vector<double>& bounds)
 {
   constexpr int RowsAtOnce = 16;
-  std::vector<std::atomic<std::uint8_t>> taken(levels.ofBlocks.size());
+  Findings findings{ Marks(levels.ofBlocks.size()), Marks(levels.ofBlocks.size()) };
+  const std::vector<double> light = LightOf(scene, levels);
   std::size_t count = 0;
   for (int row = 0; row < scene.pixels.y && count < round.mostBlocks; row += RowsAtOnce)
   {
@@ -227,16 +317,17 @@ void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLev
       {
         if (bounds[pixel] > round.tolerance)
         {
-          std::vector<Segment> segments = SegmentsOf(scene, levels, place);
-          bounds[pixel] = RefineRay(scene.looks, round.tolerance, segments, taken);
+          std::vector<Segment> segments = SegmentsOf(scene, levels, light, place);
+          bounds[pixel] = RefineRay(scene, round.tolerance, segments, findings);
         }
       });
-    for (std::size_t place = 0; place < taken.size(); ++place)
-    {
-      const bool isNew = levels.ofBlocks[place] == BlockLevel::Coarse && taken[place] != 0;
-      levels.ofBlocks[place] = isNew ? BlockLevel::Voxels : levels.ofBlocks[place];
-      count += isNew ? 1 : 0;
-    }
+    count += TakeMarked(findings.taken, levels);
+  }
+  if (!scene.lights.empty() && count < round.mostBlocks)
+  {
+    RefineLight(scene.looks, scene.lights, { findings.lit.begin(), findings.lit.end() },
+      LightShare * round.tolerance, round.mostBlocks - count, levels);
+    UpdateBounds(scene, levels, round.tolerance, bounds);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "Core/Geometry/PixelRays.h"
 #include "Core/Quality/BlockLooks.h"
+#include "Core/Quality/LightBound.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
@@ -24,6 +25,8 @@ struct LevelBoundScene
   Box boxGrid; ///< The box of the volume, outside of which rays meet nothing.
   /// True if the level ends at its outermost means, before the faces of the volume.
   bool endsEarlier;
+  /// The lights that cast shadows, with the part that surfaces lack; none without shadows.
+  std::vector<LevelLight> lights = {};
 };
 
 /// Bounds of the error of the levels of blocks, one for each pixel: how far a premultiplied channel
@@ -35,7 +38,8 @@ struct LevelBoundScene
 /// others between them. Two composites of the same voxels approach each other by the transmittance;
 /// where s and c differ, their difference D obeys
 ///   |dD| <= (s |dc| + |ds| |c - C| - s |D|) dt.
-/// The smaller of both bounds counts.
+/// The smaller of both bounds counts. In blocks of voxels c is the same but for the light that
+/// reaches them, see LightBounds.
 std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels& levels);
 
 /// The aim of a round of refinement.
@@ -47,8 +51,8 @@ struct RefinementRound
 };
 
 /// Takes voxels for those blocks of the coarse level that contribute most to the bounds, until none
-/// exceeds the tolerance. Blocks that no pixel needs stay coarse: those that are clear, of one
-/// material, or hidden.
+/// exceeds the tolerance, and for blocks towards lights that these need. Others stay coarse: those
+/// that are clear, of one material, or hidden.
 /// @param bounds  those of all pixels, as far as they are known, or 1; receives those of the new
 /// levels
 void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLevels& levels,

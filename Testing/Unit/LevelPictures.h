@@ -1,0 +1,225 @@
+#ifndef Varimarch_Testing_LevelPictures_h
+#define Varimarch_Testing_LevelPictures_h
+
+#include "Core/Quality/LevelBound.h"
+
+#include "Unit/MemorySource.h"
+#include "Unit/PacketPictures.h"
+#include "Unit/VolumesByChance.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace varimarch
+{
+
+inline constexpr glm::ivec2 BoundPixels = glm::ivec2(37, 30);
+inline constexpr double StepError = 1e-3; ///< error of steps and floats
+
+inline std::vector<std::int16_t> Voxels(const VoxelAt& at)
+{
+  std::vector<std::int16_t> voxels;
+  const glm::ivec3 count = PacketPictures::Dimensions;
+  for (int i = 0; i < count.x * count.y * count.z; ++i)
+  {
+    const double value = at({ i % count.x, i / count.x % count.y, i / count.x / count.y });
+    voxels.push_back(std::int16_t(std::lround(std::clamp(value, 0.0, 100.0))));
+  }
+  return voxels;
+}
+
+inline double Wave(const glm::ivec3& place)
+{
+  return 50.0 + 45.0 * std::sin(0.25 * place.x) * std::cos(0.2 * place.y);
+}
+
+inline double Ramp(const glm::ivec3& place)
+{
+  return 10.0 + 4.0 * place.x;
+}
+
+inline TransferFunction Foggy(double opacity, double leastOpacity = 0.01)
+{
+  return { { { 0.0, { 0.1, 0.2, 0.9 } }, { 100.0, { 1.0, 0.8, 0.2 } } },
+    { { 0.0, leastOpacity }, { 100.0, opacity } }, PacketPictures::UnitDistanceMm };
+}
+
+inline TransferFunction Steep()
+{
+  return { { { 0.0, { 1.0, 1.0, 1.0 } } }, { { 50.0, 0.0 }, { 51.0, 1.0 } },
+    PacketPictures::UnitDistanceMm };
+}
+
+/// A volume of which each block is drawn by its voxels or by its coarse level.
+class LevelPictures
+{
+public:
+  /// @param reflectance  of surfaces under a light at the eye; none without light
+  LevelPictures(const VoxelAt& at, const TransferFunction& look,
+    const std::optional<glm::dvec4>& reflectance = std::nullopt)
+    : reflectance(reflectance)
+    , pictures({ Voxels(at), look, BoundPixels })
+    , summary(SummaryOf(MemorySource<std::int16_t>(
+                          VoxelType::Int16, Voxels(at), glm::ivec2(PacketPictures::Dimensions)),
+        1 << 20, [](double) {}))
+    , looks(this->summary, VoxelType::Int16, this->pictures.Table(),
+        reflectance ? std::optional(glm::dot(glm::dvec3(*reflectance), glm::dvec3(1.0)))
+                    : std::nullopt)
+  {
+    if (reflectance)
+    {
+      this->pictures.LightFromTheEye();
+      this->pictures.scene.parameters.reflectances[0] = *reflectance;
+      this->pictures.scene.rule = PacketRule::MaterialLinear;
+    }
+    constexpr double Side = CoarseLevel::Side;
+    const glm::dmat4 voxelsFromLevel =
+      glm::translate(glm::dmat4(1.0), glm::dvec3(0.5 * (Side - 1.0))) *
+      glm::scale(glm::dmat4(1.0), glm::dvec3(Side));
+    const glm::dmat3 worldFromLevel = this->pictures.WorldFromGrid() * glm::dmat3(voxelsFromLevel);
+    this->level = this->pictures.scene;
+    this->level.volume.voxels = this->summary.coarse.voxels.data();
+    this->level.volume.voxelCount = this->summary.coarse.voxelCount;
+    this->level.parameters.ownGridFromRays = glm::inverse(voxelsFromLevel);
+    this->level.parameters.worldFromGrid = worldFromLevel;
+    this->level.parameters.worldFromGradient = glm::transpose(glm::inverse(worldFromLevel));
+  }
+
+  const BlockLooks& Looks() const { return this->looks; }
+
+  /// Lets a light at infinity cast shadows. The pictures need a reflectance.
+  void LightFrom(const glm::dvec3& towardsWorld)
+  {
+    const glm::dvec3 towards = glm::normalize(towardsWorld);
+    this->texels = { glm::vec4(glm::vec3(towards), 0.0f), glm::vec4(1.0f), glm::vec4(1.0f),
+      glm::vec4(0.0f), glm::vec4(0.0f) };
+    for (PacketScene* const scene : { &this->pictures.scene, &this->level })
+    {
+      scene->light.shading = PacketShading::Lights;
+      scene->light.castsShadows = true;
+      scene->textures.lightTexels.inMemory = this->texels.data();
+      VolumeParameters& parameters = scene->parameters;
+      parameters.distantCount = 1;
+      parameters.diffuseLight = parameters.specularLight = glm::vec3(0.0f);
+      parameters.surfacesInShadow = 1.0f;
+      parameters.shadowReachMm = std::numeric_limits<float>::max();
+      const auto& world = parameters.worldFromGrid;
+      parameters.gridFromWorld =
+        glm::inverse(glm::dmat3(glm::vec3(world[0]), glm::vec3(world[1]), glm::vec3(world[2])));
+      scene->rays.shadowStepMm = 0.25f;
+    }
+    const glm::dvec4& strength = *this->reflectance;
+    this->lights = { { glm::inverse(this->pictures.WorldFromGrid()) * towards,
+      strength.y + strength.z } };
+  }
+
+  std::vector<float> Draw(const BlockLevels& levels)
+  {
+    this->pictures.scene.levels = { &this->level, &this->pictures.scene, glm::mat4(1.0f),
+      levels.ofBlocks.data(), levels.count, float(levels.side * BrickRanges::CellsPerSide) };
+    this->level.levels = this->pictures.scene.levels;
+    this->level.levels.voxelGridFromOwn = glm::inverse(this->level.parameters.ownGridFromRays);
+    return this->pictures.March(InstructionSetsOfProcessor().front());
+  }
+
+  /// The level without voxels, which ends at its outermost means.
+  std::vector<float> DrawAlone()
+  {
+    RayParameters& rays = this->pictures.scene.rays;
+    const RayParameters whole = rays;
+    constexpr double Side = CoarseLevel::Side;
+    const glm::dvec3 first(0.5 * (Side - 1.0));
+    rays.boxLowerGrid = first;
+    rays.boxUpperGrid = first + Side * glm::dvec3(this->summary.coarse.voxelCount - 1);
+    const std::vector<float> drawn = this->Draw(this->looks.Coarse());
+    rays = whole;
+    return drawn;
+  }
+
+  std::vector<float> DrawVoxels()
+  {
+    this->pictures.scene.levels = {};
+    return this->pictures.March(InstructionSetsOfProcessor().front());
+  }
+
+  LevelBoundScene Scene() const
+  {
+    PixelRays rays = {};
+    const RayParameters& from = this->pictures.scene.rays;
+    for (int i = 0; i < 3; ++i)
+    {
+      rays.startGrid[i] = glm::dvec4(glm::vec4(from.rayStartGrid[i]));
+      rays.directionGrid[i] = glm::dvec3(glm::vec3(from.rayDirectionGrid[i]));
+    }
+    rays.nearPlaneGrid = glm::dvec4(glm::vec4(from.nearPlaneGrid));
+    rays.farPlaneGrid = glm::dvec4(glm::vec4(from.farPlaneGrid));
+    return { this->looks, rays, BoundPixels, this->pictures.WorldFromGrid(),
+      { glm::dvec3(0.0), glm::dvec3(PacketPictures::Dimensions - 1) }, false, this->lights };
+  }
+
+  /// The largest difference of a pixel from that of the voxels, less its bound. Colours end at 1,
+  /// as they do on a screen.
+  double MostBeyond(const BlockLevels& levels)
+  {
+    return this->MostBeyond(this->Draw(levels), LevelBounds(this->Scene(), levels));
+  }
+
+  double MostBeyond(const std::vector<float>& drawn, const std::vector<double>& bounds)
+  {
+    const std::vector<float> exact = this->DrawVoxels();
+    double most = -1.0;
+    for (std::size_t i = 0; i < exact.size(); ++i)
+    {
+      const double difference = std::min(exact[i], 1.0f) - double(std::min(drawn[i], 1.0f));
+      most = std::max(most, std::abs(difference) - bounds[i / 4]);
+    }
+    return most;
+  }
+
+  double LargestDifference(const BlockLevels& levels)
+  {
+    const std::vector<float> exact = this->DrawVoxels();
+    const std::vector<float> drawn = this->Draw(levels);
+    return std::inner_product(
+      exact.begin(), exact.end(), drawn.begin(), 0.0,
+      [](double one, double other) { return std::max(one, other); },
+      [](float one, float other) { return std::abs(double(one) - double(other)); });
+  }
+
+private:
+  std::optional<glm::dvec4> reflectance;
+  PacketPictures pictures;
+  VolumeSummary summary;
+  BlockLooks looks;
+  PacketScene level;
+  std::vector<glm::vec4> texels;
+  std::vector<LevelLight> lights;
+};
+
+inline double LargestOf(const std::vector<double>& bounds)
+{
+  return *std::max_element(bounds.begin(), bounds.end());
+}
+
+/// Refines all pixels.
+/// @return the largest bound that is left
+inline double RefineAll(const LevelPictures& pictures, double tolerance, BlockLevels& levels)
+{
+  std::vector<double> bounds(std::size_t(BoundPixels.x * BoundPixels.y), 1.0);
+  Refine(pictures.Scene(), { tolerance }, levels, bounds);
+  return LargestOf(bounds);
+}
+
+inline std::ptrdiff_t CountVoxels(const BlockLevels& levels)
+{
+  return std::count(levels.ofBlocks.begin(), levels.ofBlocks.end(), BlockLevel::Voxels);
+}
+
+}
+
+#endif

@@ -1,0 +1,65 @@
+// Bounds of what the levels of blocks change in the light that reaches others.
+
+#include "Unit/LevelPictures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace varimarch;
+
+namespace
+{
+
+constexpr double ShadowStepError = 0.01;
+
+TEST(LevelBound, HoldsInShadows)
+{
+  const glm::dvec4 dull(0.1, 0.9, 0.0, 1.0);
+  double tightest = 1.0;
+  double mostOfLight = 0.0;
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    ByChance chance(seed);
+    LevelPictures pictures(Wave, Foggy(chance.Number(0.1, 0.9)), dull);
+    pictures.LightFrom({ chance.Number(-1.0, 1.0), chance.Number(-1.0, 1.0), 0.5 });
+    for (int i = 0; i < 3; ++i)
+    {
+      const BlockLevels levels = chance.Levels(pictures.Looks().Coarse());
+      EXPECT_LE(pictures.MostBeyond(levels), ShadowStepError) << "seed " << seed;
+      LevelBoundScene unlit = pictures.Scene();
+      unlit.lights.clear();
+      mostOfLight = std::max(
+        mostOfLight, pictures.MostBeyond(pictures.Draw(levels), LevelBounds(unlit, levels)));
+      tightest = std::min(tightest,
+        LargestOf(LevelBounds(pictures.Scene(), levels)) - pictures.LargestDifference(levels));
+    }
+  }
+  EXPECT_LT(tightest, 0.6) << "every bound is far from the error";
+  EXPECT_GT(mostOfLight, ShadowStepError) << "light changes nothing beyond the looks";
+}
+
+TEST(LevelRefinement, KeepsTheToleranceInShadows)
+{
+  const glm::dvec4 dull(0.1, 0.9, 0.0, 1.0);
+  for (const double opacity : { 0.05, 0.9 })
+  {
+    for (const double tolerance : { 0.25, 1.0 / 32.0 })
+    {
+      LevelPictures pictures(Wave, Foggy(opacity), dull);
+      pictures.LightFrom({ 1.0, 0.4, -0.3 });
+      BlockLevels levels = pictures.Looks().Begun();
+      std::vector<double> bounds(std::size_t(BoundPixels.x * BoundPixels.y), 1.0);
+      int rounds = 0;
+      for (; rounds < 8 && LargestOf(bounds) > tolerance; ++rounds)
+      {
+        Refine(pictures.Scene(), { tolerance }, levels, bounds);
+      }
+      EXPECT_LE(LargestOf(bounds), tolerance) << opacity;
+      EXPECT_LT(rounds, 4);
+      EXPECT_LE(pictures.LargestDifference(levels), tolerance + ShadowStepError) << opacity;
+    }
+  }
+}
+
+}

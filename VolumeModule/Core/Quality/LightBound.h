@@ -1,0 +1,43 @@
+#ifndef Varimarch_Core_Quality_LightBound_h
+#define Varimarch_Core_Quality_LightBound_h
+
+#include "Core/Quality/BlockLooks.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace varimarch
+{
+
+/// Light from infinity that casts shadows.
+struct LevelLight
+{
+  glm::dvec3 towardsGrid; ///< per mm
+  double strength;        ///< the largest number that it makes of a colour of at most 1
+};
+
+/// Bounds of what the levels of blocks change in the light of places, for each block: how far a
+/// colour in it can be from its colour by the light through voxels. They hold for all places in a
+/// block and in those around it, between which a march may interpolate light. They need no voxel.
+///
+/// Rays to a light are sheared into columns: each ray stays in one of them, and crosses a slab of
+/// blocks in a known length. In a slab whose extinctions are at least s and differ by at most v
+/// between the levels, over the length l, the difference D of the transmittances behind becomes
+///   D' <= exp(-s l) (D + 1 - exp(-v l)).
+std::vector<double> LightBounds(
+  const BlockLooks& looks, const BlockLevels& levels, const std::vector<LevelLight>& lights);
+
+/// Takes voxels for blocks of the coarse level that lie between some blocks and lights, those first
+/// that change most, until the bounds of these blocks are at most the tolerance.
+/// @param isLit       not 0 for the blocks whose light counts
+/// @param mostBlocks  number of taken blocks after which the others wait for a further call
+/// @return the number of taken blocks
+std::size_t RefineLight(const BlockLooks& looks, const std::vector<LevelLight>& lights,
+  const std::vector<std::uint8_t>& isLit, double tolerance, std::size_t mostBlocks,
+  BlockLevels& levels);
+
+}
+
+#endif
