@@ -342,15 +342,16 @@ public:
 
   ///@{
   /**
-   * Let the volume cast shadows on itself: the diffuse and specular light of each of the renderer's
-   * first eight lights that are not at the eye is multiplied by what the volume between the light
-   * and the sample lets through. Ambient light and lights at the eye cast none. Requires a
-   * composite with shading. The error tolerance holds for the image with its shadows, which takes
-   * about three times as long as without and, where shaders draw it, many times as long. The light
-   * that reaches the visible parts is kept while the volume, its look and a light stay, in up to an
-   * eighth of a byte for each voxel and light. Overlapping volumes have none. Packets of rays on the
-   * processor draw those of a volume that does not fit into the graphics memory (see
-   * ProcessorMarching). Default: off.
+   * Let the volume cast shadows on itself, and overlapping volumes on each other: the diffuse and
+   * specular light of each of the renderer's first eight lights that are not at the eye is
+   * multiplied by what the volumes between the light and the sample let through. Ambient light and
+   * lights at the eye cast none. Requires a composite with shading; volumes without shading cast
+   * shadows on others. The error tolerance holds for the image with its shadows, which takes about
+   * three times as long as without and, where shaders draw it, many times as long. The light that
+   * reaches the visible parts is kept while the volume, its look and a light stay, in up to an
+   * eighth of a byte for each voxel and light. Packets of rays on the processor draw
+   * those of a volume that does not fit into the graphics memory (see ProcessorMarching). Default:
+   * off.
    *
    * Opaque geometry casts shadows on the volume too: the faces of the renderer's visible actors,
    * also in assemblies and outside the view, as far as their mappers' clipping planes leave them.

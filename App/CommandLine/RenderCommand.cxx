@@ -68,11 +68,9 @@ void WarnOfMissingTogether(const RenderArguments& arguments, const Scene& scene)
   {
     PrintMessage("warning: only the first volume is drawn: vtk-cpu draws one");
   }
-  else if (scene.look.blend != Blend::Composite || scene.shadows > 0.0 ||
-    scene.scattering.blending > 0.0 || scene.occlusion.strength > 0.0)
+  else if (scene.look.blend != Blend::Composite)
   {
-    PrintMessage("warning: several volumes are drawn as composites, without shadows, scattering "
-                 "and ambient occlusion");
+    PrintMessage("warning: several volumes are drawn as composites");
   }
 }
 

@@ -57,8 +57,8 @@ public:
 
   void SetInterpolationType(int type);
 
-  /// True if any is drawn. The mapper then draws composites only, without masks, shadows,
-  /// scattered light, ambient occlusion and a number of steps.
+  /// True if any is drawn. The mapper then draws composites only, without masks and a number of
+  /// steps.
   bool Any() const { return !this->parts.empty(); }
 
   /// The prop that is drawn: the first volume, or all of them.

@@ -152,13 +152,12 @@ void ScenePipeline::ApplyLight()
 {
   if (auto* ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->mapper))
   {
-    const bool isAlone = !this->overlays.Any();
-    ours->SetShadows(isAlone && this->lighting.shadows > 0.0);
+    ours->SetShadows(this->lighting.shadows > 0.0);
     ours->SetShadowStrength(this->lighting.shadows);
-    ours->SetVolumetricScatteringBlending(isAlone ? this->lighting.scattering.blending : 0.0);
+    ours->SetVolumetricScatteringBlending(this->lighting.scattering.blending);
     ours->SetGlobalIlluminationReach(this->lighting.scattering.reach);
     ours->SetScatteringAnisotropy(this->lighting.scattering.anisotropy);
-    ours->SetAmbientOcclusion(isAlone ? this->lighting.occlusion.strength : 0.0);
+    ours->SetAmbientOcclusion(this->lighting.occlusion.strength);
     ours->SetAmbientOcclusionReach(this->lighting.occlusion.reachMm);
   }
 }
@@ -187,7 +186,6 @@ void ScenePipeline::ApplyOverlays()
   if (this->overlays.Any() == wasAlone)
   {
     this->ApplyBlend();
-    this->ApplyLight();
     this->ApplyProperty();
     this->ApplyMask();
     this->SetRenderOptions(this->options);

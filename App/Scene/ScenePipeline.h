@@ -63,8 +63,8 @@ public:
   /// @param changed  as many as the labels have, in their order
   void SetSegments(const std::vector<Segment>& changed);
   /// Draws volumes over the first one where CanOverlay. All of them are then composites, without
-  /// shadows, scattered light, ambient occlusion and a number of steps; see SceneOverlays.
-  /// While the face is removed, none is drawn, since they have faces too.
+  /// a number of steps; see SceneOverlays. While the face is removed, none is drawn, since they
+  /// have faces too.
   /// @param voxels  of the overlays, in their order
   void SetOverlays(
     const std::vector<OverlaidVolume>& overlays, const std::vector<OverlayVoxels>& voxels);

@@ -5,6 +5,7 @@
 #include "Scene/OffscreenView.h"
 #include "Scene/Placing.h"
 #include "Scene/ProceduralVolume.h"
+#include "Scene/SceneLights.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
@@ -140,6 +141,28 @@ TEST(SceneOverlays, AVolumeOverItselfIsTwiceAsDense)
   EXPECT_LT(Difference(both.Draw(), dense.Draw()).largest, 0.01 * Levels);
   Overlaid once;
   EXPECT_GT(Difference(both.Draw(), once.Draw()).largest, 0.1 * Levels);
+}
+
+// Twice the density casts the shadows of twice the density.
+TEST(SceneOverlays, AVolumeOverItselfCastsItsShadowsToo)
+{
+  const auto light = [](Overlaid& scene, double opacityUnitDistanceMm)
+  {
+    scene.scene.look.shading.enabled = true;
+    scene.scene.look.opacityUnitDistanceMm = opacityUnitDistanceMm;
+    scene.scene.lights = { CameraLight(-50.0, 35.0) };
+    scene.scene.shadows = 1.0;
+    scene.scene.render.sampleDistanceMm.reset();
+  };
+  Overlaid both;
+  light(both, 0.5);
+  both.Add({ ProceduralSource(), both.scene.look }, both.image);
+  Overlaid dense;
+  light(dense, 0.25);
+  const auto drawn = both.Draw();
+  EXPECT_LT(Difference(drawn, dense.Draw()).percentile999, 2.0 / 64.0 * Levels);
+  both.scene.shadows = 0.0;
+  EXPECT_GT(Difference(drawn, both.Draw()).largest, 0.1 * Levels) << "shadows are seen";
 }
 
 TEST(SceneOverlays, HiddenOnesAndThoseOfNoOpacityLeaveTheImage)

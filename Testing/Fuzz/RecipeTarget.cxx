@@ -7,6 +7,7 @@
 #include "Core/Recipe/PassRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
 
+#include <algorithm>
 #include <set>
 
 namespace varimarch
@@ -131,6 +132,18 @@ RenderSettings Overlapping(RenderSettings settings)
   return settings;
 }
 
+/// Volumes that overlap take light from each other.
+void ShareLight(RenderSettings& first)
+{
+  first.shadowsOthers = first.shadows ||
+    std::any_of(first.others.begin(), first.others.end(),
+      [](const RenderSettings& other) { return other.shadows; });
+  for (RenderSettings& other : first.others)
+  {
+    other.shadowsOthers = first.shadowsOthers;
+  }
+}
+
 void RequireCompiled(const std::vector<ShaderFile>& files, const std::string& stage)
 {
   static std::set<std::string> compiled;
@@ -154,6 +167,7 @@ bool RunRecipe(const std::string& input)
       settings.others.push_back(Overlapping(ChosenSettings(numbers)));
       settings.others.back().clipping = settings.others.back().jitter = false;
     }
+    ShareLight(settings);
   }
   std::vector<ShaderFile> vertex = LoadParts(VertexShaderParts());
   std::vector<ShaderFile> fragment = LoadParts(FragmentShaderParts(settings));

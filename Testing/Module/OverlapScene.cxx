@@ -3,6 +3,7 @@
 #include "Core/Reference/ReferenceImage.h"
 #include "Scene/FloatCapture.h"
 
+#include <vtkObjectFactory.h>
 #include <vtkStringArray.h>
 
 #include <glm/matrix.hpp>
@@ -18,34 +19,63 @@ namespace
 constexpr double HalfViewMm = 12.0;
 const Box viewWorld{ glm::dvec3(-2.0 * HalfViewMm), glm::dvec3(2.0 * HalfViewMm) };
 
-// Optical properties of one of the volumes at positions in world space.
-struct WorldMaterial
+// VTK's class takes its bounds from a vtkGPUVolumeRayCastMapper.
+class vtkVolumesInView : public vtkMultiVolume
 {
-  VolumeGeometry geometry;
-  std::vector<double> voxels;
-  ComponentLook look;
-  bool nearest;
-  bool shaded;
+public:
+  static vtkVolumesInView* New();
+  vtkTypeMacro(vtkVolumesInView, vtkMultiVolume);
 
-  OpticalProperties At(glm::dvec3 positionWorld, glm::dvec3 toEye) const
+  double* GetBounds() override
   {
-    const glm::dvec3 place(
-      glm::inverse(this->geometry.worldFromGrid) * glm::dvec4(positionWorld, 1.0));
-    const Box& box = this->geometry.boxGrid;
-    if (glm::any(glm::lessThan(place, box.lower)) || glm::any(glm::greaterThan(place, box.upper)))
+    for (int i = 0; i < 6; ++i)
     {
-      return { glm::dvec3(0.0), 0.0 };
+      this->Bounds[i] = (i % 2 == 0 ? -2.0 : 2.0) * HalfViewMm;
     }
-    const ScalarGrid<double> grid(this->voxels.data(), this->geometry.dimensions);
-    const glm::dvec3 read = this->nearest ? glm::floor(place + 0.5) : place;
-    const glm::dvec3 normal = this->geometry.WorldFromGridNormal() * grid.Gradient(read);
-    const double facing = std::abs(glm::dot(glm::normalize(normal), glm::normalize(toEye)));
-    const glm::dvec3 color = this->look.color;
-    return { this->shaded ? color * (0.1 + 0.7 * facing) + 0.2 * std::pow(facing, 10.0) : color,
-      -std::log1p(-OpacityOf(this->look, grid.Value(read))) };
+    return this->Bounds;
   }
 };
 
+vtkStandardNewMacro(vtkVolumesInView);
+
+}
+
+std::optional<glm::dvec3> WorldMaterial::PlaceOf(glm::dvec3 positionWorld) const
+{
+  const glm::dvec3 place(
+    glm::inverse(this->geometry.worldFromGrid) * glm::dvec4(positionWorld, 1.0));
+  const Box& box = this->geometry.boxGrid;
+  const bool isOutside =
+    glm::any(glm::lessThan(place, box.lower)) || glm::any(glm::greaterThan(place, box.upper));
+  return isOutside ? std::nullopt : std::optional(this->nearest ? glm::floor(place + 0.5) : place);
+}
+
+double WorldMaterial::ValueAt(glm::dvec3 placeGrid) const
+{
+  return this->Grid().Value(placeGrid);
+}
+
+glm::dvec3 WorldMaterial::NormalAt(glm::dvec3 placeGrid) const
+{
+  return glm::normalize(this->geometry.WorldFromGridNormal() * this->Grid().Gradient(placeGrid));
+}
+
+double WorldMaterial::ExtinctionOf(double value) const
+{
+  return -std::log1p(-OpacityOf(this->look, value));
+}
+
+OpticalProperties WorldMaterial::At(glm::dvec3 positionWorld, glm::dvec3 toEye) const
+{
+  const std::optional<glm::dvec3> place = this->PlaceOf(positionWorld);
+  if (!place)
+  {
+    return { glm::dvec3(0.0), 0.0 };
+  }
+  const double facing = std::abs(glm::dot(this->NormalAt(*place), glm::normalize(toEye)));
+  const glm::dvec3 color = this->look.color;
+  return { this->shaded ? color * (0.1 + 0.7 * facing) + 0.2 * std::pow(facing, 10.0) : color,
+    this->ExtinctionOf(this->ValueAt(*place)) };
 }
 
 OverlapScene::OverlapScene(int size)
@@ -82,6 +112,20 @@ void OverlapScene::Remove(int port)
   this->parts.erase(port);
 }
 
+void OverlapScene::UseMapperItself()
+{
+  vtkVariationFieldVolumeMapper* const itself = MapperOf(*this);
+  this->renderer->RemoveVolume(this->several);
+  this->several = vtkSmartPointer<vtkVolumesInView>::New();
+  this->several->SetMapper(itself);
+  for (const auto& [port, part] : this->parts)
+  {
+    itself->SetInputDataObject(port, part.image);
+    this->several->SetVolume(part.volume, port);
+  }
+  this->renderer->AddVolume(this->several);
+}
+
 std::vector<float> OverlapScene::Draw()
 {
   const auto captured = CaptureFloatImage(this->window, this->renderer);
@@ -102,7 +146,17 @@ PixelRays OverlapScene::RaysWorld()
   return ComputePixelRays(ClipFromWorld(this->renderer), viewWorld);
 }
 
-std::vector<float> OverlapScene::Truth()
+std::vector<vtkVolume*> OverlapScene::Volumes() const
+{
+  std::vector<vtkVolume*> volumes;
+  for (const auto& [port, part] : this->parts)
+  {
+    volumes.push_back(part.volume);
+  }
+  return volumes;
+}
+
+std::vector<WorldMaterial> OverlapScene::Materials() const
 {
   std::vector<WorldMaterial> materials;
   for (const auto& [port, part] : this->parts)
@@ -113,20 +167,37 @@ std::vector<float> OverlapScene::Truth()
       { voxels, voxels + part.image->GetNumberOfPoints() }, part.look,
       property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION, property->GetShade() != 0 });
   }
+  return materials;
+}
+
+std::vector<float> OverlapScene::TruthOf(
+  const std::vector<MaterialInWorld>& materials, double tolerance)
+{
   ReferenceScene scene{ {}, viewWorld, TransferFunction({}, {}, 1.0) };
   scene.material = [&](glm::dvec3 position, const Ray& ray)
   {
     OpticalProperties sum{ glm::dvec3(0.0), 0.0 };
-    for (const WorldMaterial& material : materials)
+    for (const MaterialInWorld& material : materials)
     {
-      const OpticalProperties one = material.At(position, -ray.direction);
+      const OpticalProperties one = material(position, -ray.direction);
       sum.rgb += one.extinction * one.rgb;
       sum.extinction += one.extinction;
     }
     return OpticalProperties{ sum.rgb / std::max(sum.extinction, 1e-300), sum.extinction };
   };
   const ReferenceView view{ this->RaysWorld(), glm::dmat3(1.0), this->size, this->size };
-  return DrawReference(ReferenceIntegrator(scene, 1e-4), view)->rgba;
+  return DrawReference(ReferenceIntegrator(scene, tolerance), view)->rgba;
+}
+
+std::vector<float> OverlapScene::Truth()
+{
+  std::vector<MaterialInWorld> materials;
+  for (const WorldMaterial& material : this->Materials())
+  {
+    materials.emplace_back(
+      [material](glm::dvec3 position, glm::dvec3 toEye) { return material.At(position, toEye); });
+  }
+  return this->TruthOf(materials, 1e-4);
 }
 
 ImageError OverlapScene::Error()

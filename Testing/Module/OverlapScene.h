@@ -2,14 +2,46 @@
 #define Varimarch_Testing_OverlapScene_h
 
 #include "Core/Geometry/PixelRays.h"
+#include "Core/Geometry/ScalarGrid.h"
 #include "Core/Quality/ImageError.h"
+#include "Core/Reference/ReferenceIntegrator.h"
+#include "Frame/VolumeGeometry.h"
 #include "Module/ComponentVolumes.h"
 
 #include <vtkMultiVolume.h>
 #include <vtkVariationFieldGPUVolumeRayCastMapper.h>
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <vector>
+
+/// One of several volumes, in the world.
+struct WorldMaterial
+{
+  varimarch::VolumeGeometry geometry;
+  std::vector<double> voxels;
+  ComponentLook look;
+  bool nearest;
+  bool shaded;
+
+  /// The place where voxels are read [grid space], if it is in the volume.
+  std::optional<glm::dvec3> PlaceOf(glm::dvec3 positionWorld) const;
+  double ValueAt(glm::dvec3 placeGrid) const;
+  glm::dvec3 NormalAt(glm::dvec3 placeGrid) const; ///< unit vector, along the gradient
+  double ExtinctionOf(double value) const;         ///< [1/mm]
+
+  /// Its optical properties in a head light.
+  varimarch::OpticalProperties At(glm::dvec3 positionWorld, glm::dvec3 toEye) const;
+
+  varimarch::ScalarGrid<double> Grid() const
+  {
+    return { this->voxels.data(), this->geometry.dimensions };
+  }
+};
+
+using MaterialInWorld =
+  std::function<varimarch::OpticalProperties(glm::dvec3 positionWorld, glm::dvec3 toEye)>;
 
 /// Overlapping volumes, set up as by a program that uses vtkMultiVolume, with their true image.
 /// Seen along -z in parallel projection, 24 mm of the world around its origin.
@@ -22,6 +54,9 @@ public:
   vtkVolume* Add(int port, vtkImageData* image, const ComponentLook& look);
   void Remove(int port);
 
+  /// Draws by the mapper itself, which has features that a vtkGPUVolumeRayCastMapper lacks.
+  void UseMapperItself();
+
   /// The image in float: premultiplied RGBA without the background, rendered by a shader or, where
   /// possible, by the processor.
   std::vector<float> Draw();
@@ -31,13 +66,18 @@ public:
   std::vector<float> Truth();
   varimarch::ImageError Error(); ///< the larger error of both
 
+  std::vector<vtkVolume*> Volumes() const;
+  std::vector<WorldMaterial> Materials() const;
+  /// The reference's image of a sum of materials.
+  std::vector<float> TruthOf(const std::vector<MaterialInWorld>& materials, double tolerance);
+
   varimarch::PixelRays RaysWorld();
   std::vector<std::string> ShaderParts();
 
   int size;
   vtkNew<vtkHeadlessRenderWindow> window;
   vtkNew<vtkRenderer> renderer;
-  vtkNew<vtkMultiVolume> several;
+  vtkSmartPointer<vtkMultiVolume> several = vtkSmartPointer<vtkMultiVolume>::New();
   vtkNew<vtkVariationFieldGPUVolumeRayCastMapper> mapper;
 
 private:
@@ -49,6 +89,11 @@ private:
   };
   std::map<int, Part> parts; ///< by port
 };
+
+inline vtkVariationFieldVolumeMapper* MapperOf(OverlapScene& scene)
+{
+  return scene.mapper->GetVariationFieldMapper();
+}
 
 /// An image of doubles over a box centred at the world's origin [mm].
 vtkSmartPointer<vtkImageData> CenteredImage(

@@ -60,11 +60,6 @@ void PrintTo(const VolumesChange& change, std::ostream* os)
   *os << change.name;
 }
 
-vtkVariationFieldVolumeMapper* MapperOf(OverlapScene& scene)
-{
-  return scene.mapper->GetVariationFieldMapper();
-}
-
 void UseGradientOpacity(vtkVolume* volume)
 {
   vtkNew<vtkPiecewiseFunction> factors;

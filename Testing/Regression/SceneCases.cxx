@@ -1,10 +1,13 @@
 #include "Regression/RegressionCase.h"
 
 #include "Module/HomogeneousScene.h"
+#include "Module/OverlapLight.h"
 
 #include <vtkPlane.h>
 #include <vtkProperty.h>
 #include <vtkTransform.h>
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 
@@ -194,6 +197,21 @@ RegressionScene MultiVolume()
   return regression;
 }
 
+// Each of the volumes casts a shadow on the other.
+RegressionScene VolumesInLight()
+{
+  RegressionScene regression = MultiVolume();
+  for (vtkVolume* const volume : regression.overlap->Volumes())
+  {
+    volume->GetProperty()->ShadeOn();
+  }
+  const OverlapLight light{ { { glm::normalize(glm::dvec3(0.7, 0.4, 0.5)) } }, true };
+  UseLight(*regression.overlap, light);
+  regression.truth = [overlap = regression.overlap, light]
+  { return TruthInLight(*overlap, light, 1e-3); };
+  return regression;
+}
+
 // Two images side by side in one window.
 RegressionScene Viewports()
 {
@@ -256,6 +274,7 @@ std::vector<RegressionCase> SceneCases()
     { "TranslucentGeometry", TranslucentGeometry },
     { "SeveralVolumes", SeveralVolumes },
     { "MultiVolume", MultiVolume },
+    { "VolumesInLight", VolumesInLight },
     { "Viewports", Viewports },
     { "Layers", Layers },
   };

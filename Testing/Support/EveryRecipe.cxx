@@ -1,6 +1,7 @@
 #include "Support/EveryRecipe.h"
 
 #include "Core/Recipe/MaterialRecipe.h"
+#include "Support/RecipesOfVolumes.h"
 
 #include <utility>
 
@@ -279,48 +280,6 @@ std::vector<RenderSettings> RecipesWithCuts()
   return recipes;
 }
 
-std::vector<RenderSettings> RecipesOfSeveralVolumes()
-{
-  RenderSettings one;
-  one.overlaps = true;
-  RenderSettings lit = one;
-  lit.shading = true;
-  lit.gradientOpacity = true;
-  RenderSettings nearest{ Blend::Composite, Acceleration::Off };
-  nearest.overlaps = true;
-  nearest.nearest = true;
-  RenderSettings mixture = lit;
-  mixture.lights = true;
-  mixture.components = Components::Independent;
-  mixture.componentCount = 3;
-  RenderSettings two = one;
-  two.acceleration = Acceleration::CellField;
-  two.functionOf = FunctionOf::ValueAndGradient;
-  two.cubic = true;
-  std::vector<RenderSettings> recipes;
-  const auto add = [&](RenderSettings first, const std::vector<RenderSettings>& others)
-  {
-    first.others = others;
-    recipes.push_back(first);
-  };
-  add(one, { one });
-  RenderSettings spanned = one;
-  spanned.limitsSpan = true;
-  add(spanned, { one });
-  add(one, { lit });
-  add(lit, { nearest });
-  add(nearest, { nearest, nearest });
-  add(mixture, { two, one, lit });
-  RenderSettings cut = one;
-  cut.clipping = true;
-  cut.sceneGeometry = true;
-  cut.jitter = true;
-  add(cut, { one });
-  cut.pass = RayPass::PeelBetween;
-  add(cut, { one });
-  return recipes;
-}
-
 std::vector<RenderSettings> ExactRecipes()
 {
   std::vector<RenderSettings> recipes;
@@ -364,7 +323,7 @@ std::vector<RenderSettings> EveryRecipe()
   for (const std::vector<RenderSettings>& others :
     { RecipesOfMaterials(), RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(),
       RecipesInBlocks(), RecipesOfPictures(), RecipesOfShadows(), RecipesOfSplines(),
-      RecipesWithCuts(), RecipesOfSeveralVolumes(), RecipesFromBehind(),
+      RecipesWithCuts(), RecipesOfSeveralVolumes(), RecipesOfVolumesInLight(), RecipesFromBehind(),
       RecipesWithStoredGradients(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());

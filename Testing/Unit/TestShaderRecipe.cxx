@@ -121,10 +121,11 @@ TEST(ShaderRecipe, ScatteringAndSoftLightsAreFilesOfTheirSlots)
   EXPECT_EQ(partsOf(false, false, false), (Parts{ "Reach/None.glsl", "Scatter/None.glsl" }));
   EXPECT_EQ(partsOf(false, true, false), (Parts{ "Reach/None.glsl", "Scatter/None.glsl" }));
   EXPECT_EQ(partsOf(true, false, false),
-    (Parts{ "Reach/ShadowRays.glsl", "Cone/None.glsl", "Casters/None.glsl", "Scatter/None.glsl" }));
+    (Parts{ "RaysInside.glsl", "Through/Segments.glsl", "Around/None.glsl", "Reach/ShadowRays.glsl",
+      "Cone/None.glsl", "Casters/None.glsl", "Scatter/None.glsl" }));
   EXPECT_EQ(partsOf(true, true, true),
-    (Parts{ "Reach/ShadowRays.glsl", "Cone/Disc.glsl", "Casters/None.glsl",
-      "Scatter/HenyeyGreenstein.glsl" }));
+    (Parts{ "RaysInside.glsl", "Through/Segments.glsl", "Around/None.glsl", "Reach/ShadowRays.glsl",
+      "Cone/Disc.glsl", "Casters/None.glsl", "Scatter/HenyeyGreenstein.glsl" }));
 }
 
 TEST(ShaderRecipe, CastersTakeNothingWithoutShadows)
@@ -298,6 +299,29 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
       "RayMarch.frag.glsl" }));
 }
 
+TEST(ShaderRecipe, VolumesThatTakeLightFromEachOtherHaveFilesForIt)
+{
+  RenderSettings unlit;
+  unlit.overlaps = true;
+  RenderSettings lit = unlit;
+  lit.shading = lit.lights = lit.shadows = true;
+  const auto countOf = [](const RenderSettings& settings, const char* file)
+  {
+    const Parts parts = FragmentShaderParts(settings);
+    return std::count(parts.begin(), parts.end(), file);
+  };
+  for (const bool areInShadow : { false, true })
+  {
+    unlit.shadowsOthers = lit.shadowsOthers = lit.shadows = areInShadow;
+    RenderSettings first = unlit;
+    first.others = { lit, lit };
+    EXPECT_EQ(countOf(first, "Around/Volumes.glsl"), areInShadow ? 3 : 0);
+    EXPECT_EQ(countOf(first, "Reach/ShadowRays.glsl"), areInShadow ? 2 : 0);
+    EXPECT_EQ(countOf(first, "DepthOfNone.glsl"), areInShadow ? 1 : 0);
+    EXPECT_EQ(countOf(first, "DepthOfAll.glsl"), areInShadow ? 1 : 0);
+  }
+}
+
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
 {
   RenderSettings settings{ Blend::Composite, Acceleration::OpticalField, true, false };
@@ -316,7 +340,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 257u);
+  EXPECT_EQ(distinct.size(), 259u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

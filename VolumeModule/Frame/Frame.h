@@ -139,6 +139,9 @@ struct Frame
   UserShaderCode userCode;
   DeviceRequest device;
   std::vector<double> fingerprint; ///< See VolumeFingerprint.
+  /// Everything in the volumes that overlap, this one among them, that ambient occlusion depends
+  /// on; empty without.
+  std::vector<double> occluders;
 
   /// The volumes that overlap with this one in the same image. They share view, image, pass and
   /// plan with the first volume, and have input, material, geometry and settings of their own.

@@ -9,6 +9,14 @@ namespace varimarch
 namespace
 {
 
+void TakePlan(const MarchPlan& plan, RenderSettings& settings)
+{
+  const bool mayOcclude = plan.marcher == Marcher::Processor && !plan.isInteractive;
+  settings.shading = settings.shading && plan.isLit;
+  settings.occlusion = settings.occlusion && mayOcclude;
+  settings.occludesOthers = settings.occludesOthers && mayOcclude;
+}
+
 void TakeFindings(const VolumeFindings& findings, RenderSettings& settings)
 {
   settings.skipsBricks = findings.skipsBricks;
@@ -74,10 +82,8 @@ VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan)
   settings.integration = plan.integration;
   settings.pass = plan.pass;
   settings.role = plan.role;
-  settings.shading = settings.shading && plan.isLit;
   settings.shadows = settings.shadows && settings.pass != RayPass::Block; // a block is no whole
-  settings.occlusion =
-    settings.occlusion && plan.marcher == Marcher::Processor && !plan.isInteractive;
+  TakePlan(plan, settings);
   settings.countFetches = settings.countFetches && !plan.isTrial; // errors are errors of colours
   TakeFindings(plan.volumes.front(), settings);
   settings.others.clear();
@@ -91,6 +97,7 @@ VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan)
 VolumeMarch MarchOfOther(const Frame& frame, const MarchPlan& plan, std::size_t other)
 {
   RenderSettings settings = frame.others[other].settings;
+  TakePlan(plan, settings);
   TakeFindings(plan.volumes[other + 1], settings);
   return { frame.others[other], plan, std::move(settings) };
 }

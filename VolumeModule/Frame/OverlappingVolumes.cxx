@@ -1,9 +1,12 @@
 #include "Frame/OverlappingVolumes.h"
 
 #include "Frame/FrameMeasures.h"
+#include "Frame/SceneFingerprint.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkMultiVolume.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,9 +34,6 @@ void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
     { settings.mask != Mask::None, "a mask" },
     { mapper->GetCropping() != 0, "cropping" },
     { settings.clippedGradients, "cuts drawn as surfaces" },
-    { settings.shadows, "shadows" },
-    { settings.scattering, "scattering" },
-    { settings.occlusion, "ambient occlusion" },
     { frame.voxels.blanking.Any(), "blanked voxels" },
     { !frame.userCode.IsEmpty(), "user shader code" },
     { frame.span.mostSteps > 0, "a number of steps" },
@@ -51,13 +51,79 @@ void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
   }
 }
 
+// Everything that the light from all around depends on, in all volumes.
+std::vector<double> OccludersOf(const std::vector<Frame>& frames)
+{
+  std::vector<double> numbers;
+  for (const Frame& frame : frames)
+  {
+    const std::vector<double> own = ExtinctionFingerprint(frame);
+    const double* const world = glm::value_ptr(frame.geometry.worldFromGrid);
+    numbers.insert(numbers.end(), own.begin(), own.end());
+    numbers.insert(numbers.end(), world, world + 16);
+  }
+  return numbers;
+}
+
+// The opaque geometry that lit volumes have found, which is the same for all.
+void ShareCasters(std::vector<Frame>& frames)
+{
+  const auto found = std::find_if(
+    frames.begin(), frames.end(), [](const Frame& frame) { return frame.settings.shadows; });
+  for (auto frame = frames.begin(); frame != frames.end() && found != frames.end(); ++frame)
+  {
+    frame->casters = found->casters;
+    frame->settings.casters = found->settings.casters;
+  }
+}
+
+// Light goes through all volumes, and equally far through each.
+void ShareLight(std::vector<Frame>& frames)
+{
+  const auto any = [&](bool RenderSettings::*choice)
+  {
+    return std::any_of(
+      frames.begin(), frames.end(), [&](const Frame& frame) { return frame.settings.*choice; });
+  };
+  const bool areInShadow = any(&RenderSettings::shadows);
+  const bool areOccluded = any(&RenderSettings::occlusion);
+  double shadowReachMm = 0.0;
+  double occlusionReachMm = frames.front().material.occlusionReachMm;
+  for (const Frame& frame : frames)
+  {
+    shadowReachMm = std::max(shadowReachMm, frame.material.shadowReachMm);
+    occlusionReachMm = std::min(occlusionReachMm, frame.material.occlusionReachMm);
+  }
+  const std::vector<double> occluders = areOccluded ? OccludersOf(frames) : std::vector<double>();
+  for (Frame& frame : frames)
+  {
+    frame.settings.shadowsOthers = areInShadow;
+    frame.settings.occludesOthers = areOccluded;
+    frame.material.shadowReachMm = shadowReachMm;
+    frame.material.occlusionReachMm = occlusionReachMm;
+    frame.quality.budget.isOccluded = areOccluded;
+    frame.occluders = occluders;
+  }
+  ShareCasters(frames);
+}
+
+// The planes of all volumes, which must not reduce the box of one.
+void KeepPlanes(Frame& frame, vtkVariationFieldVolumeMapper* mapper)
+{
+  frame.cuts = CutsOf(mapper, frame.geometry, true);
+  frame.settings.clipping = !frame.cuts.planesGrid.empty();
+}
+
 // The settings of the image are those of the first volume.
 void JoinTo(Frame& first, Frame other)
 {
   first.quality.budget.isSampled |= other.quality.budget.isSampled;
   first.settings.jitter = first.settings.jitter || other.settings.jitter;
-  other.cuts = { other.geometry.boxGrid, {}, {} };
-  other.settings.clipping = false;
+  if (!IsInWayOfLights(other.settings) && !IsInWayOfSky(other.settings))
+  {
+    other.cuts = { other.geometry.boxGrid, {}, {} }; // rays of the eye are cut in the first
+    other.settings.clipping = false;
+  }
   other.settings.jitter = false;
   first.settings.others.push_back(other.settings);
   first.others.push_back(std::move(other));
@@ -93,20 +159,20 @@ Frame JoinFrames(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mappe
     frame.settings.overlaps = true;
     frame.quality.budget.volumeCount = int(frames.size());
     frame.quality.choosesIntegration = false;
+    KeepPlanes(frame, mapper);
   }
+  ShareLight(frames);
   Frame first = std::move(frames.front());
-  // Shaders cut all volumes by the planes of the first, so these planes must not reduce its box.
-  first.cuts = CutsOf(mapper, first.geometry, true);
-  first.settings.clipping = !first.cuts.planesGrid.empty();
   double sampleDistanceMm = first.quality.sampleDistanceMm;
   for (std::size_t i = 1; i < frames.size(); ++i)
   {
     sampleDistanceMm = std::min(sampleDistanceMm, frames[i].quality.sampleDistanceMm);
     JoinTo(first, std::move(frames[i]));
   }
-  // Without interpolation a ray steps from voxel face to voxel face.
-  first.quality.sampleDistanceMm =
-    IsSampled(first.settings) ? sampleDistanceMm : LongestRayMm(first);
+  // Without interpolation a ray steps from voxel face to voxel face, but light is sampled.
+  const bool hasSamples =
+    IsSampled(first.settings) || IsInWayOfLights(first.settings) || IsInWayOfSky(first.settings);
+  first.quality.sampleDistanceMm = hasSamples ? sampleDistanceMm : LongestRayMm(first);
   return first;
 }
 

@@ -93,21 +93,24 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
   }
   if (march.settings.lights)
   {
-    const LightTexels others = LightTexelsOf(march.frame.view.renderer);
-    p.distantCount = others.distantCount;
-    p.nearCount = others.nearCount;
-    p.gridFromWorld = glm::inverse(march.frame.geometry.WorldFromGridDirection());
     p.ambientLight = AmbientLightOf(march.frame.view.renderer);
     p.scatteredPart = float(march.frame.material.scatteredPart);
     p.anisotropy = float(march.frame.material.anisotropy);
     p.surfacesInShadow = float(march.frame.material.surfacesInShadow);
-    constexpr double BeyondAll = 3e38;
-    p.shadowReachMm = float(std::min(march.frame.material.shadowReachMm, BeyondAll));
     p.backsLit = march.frame.view.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
-    const glm::dvec3 gridOriginWorld(march.frame.geometry.worldFromGrid[3]);
-    p.worldOfGridOrigin = gridOriginWorld;
-    p.originInCasters = gridOriginWorld - march.frame.casters.originWorld;
   }
+}
+
+// The lights to which rays go through the volume.
+void SetLamps(VolumeParameters& p, const VolumeMarch& march)
+{
+  const LightTexels lamps = LightTexelsOf(march.frame.view.renderer);
+  p.distantCount = lamps.distantCount;
+  p.nearCount = lamps.nearCount;
+  p.originInCasters =
+    glm::dvec3(march.frame.geometry.worldFromGrid[3]) - march.frame.casters.originWorld;
+  constexpr double BeyondAll = 3e38;
+  p.shadowReachMm = float(std::min(march.frame.material.shadowReachMm, BeyondAll));
 }
 
 // The emission and extinction of an entry that holds a color and an extinction.
@@ -192,6 +195,10 @@ void SetMaterials(VolumeParameters& p, const VolumeMarch& march, const VolumeRes
   if (march.settings.shading)
   {
     SetLights(p, march, volume, mappings);
+  }
+  if (march.settings.lights || march.settings.shadowsOthers)
+  {
+    SetLamps(p, march);
   }
   if (march.settings.gradientOpacity)
   {

@@ -79,7 +79,7 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
   this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
-  this->leavesOutOcclusion = frame.settings.occlusion && plan.marcher == Marcher::Device;
+  this->leavesOutOcclusion = IsInWayOfSky(frame.settings) && plan.marcher == Marcher::Device;
   this->leavesOutCasters = frame.casters.areTooMany;
   this->hasLongShadowSteps = varimarch::HasLongShadowSteps(MarchOf(frame, plan));
   this->resources.UpdatePreIntegrated(frame, plan);

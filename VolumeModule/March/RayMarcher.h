@@ -80,8 +80,8 @@ public:
   /// True if ambient occlusion is requested, but left out because shaders march.
   bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
   /// The memory of the lattices of light, of which only pages that are used are taken.
-  std::size_t LightBytes() const { return this->resources.First().Light().Bytes(); }
-  int LightLatticeBuilds() const { return this->resources.First().Light().Builds(); }
+  std::size_t LightBytes() const { return this->resources.LightBytes(); }
+  int LightLatticeBuilds() const { return this->resources.LightLatticeBuilds(); }
   /// True if there is too much opaque geometry for its shadows.
   bool LeavesOutCasters() const { return this->leavesOutCasters; }
   /// See the function of this name.

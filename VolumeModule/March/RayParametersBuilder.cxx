@@ -103,14 +103,15 @@ void SetPass(RayParameters& p, const VolumeMarch& march)
 double WantedShadowStepMm(const VolumeMarch& march)
 {
   const double step = march.plan.sampleDistanceMm;
-  const double spacing = march.frame.geometry.SmallestSpacingMm();
+  const double spacing = SmallestSpacingMm(march.frame);
   return step < spacing ? std::sqrt(step * spacing) : step;
 }
 
 // A software rasteriser ends a shader, and with it the ray, after 2^16 iterations of all its loops.
 bool IsEndedByRasterizer(const VolumeMarch& march)
 {
-  return march.settings.shadows && march.plan.marcher == Marcher::Device && IsSoftwareRasterizer();
+  return IsInWayOfLights(march.settings) && march.plan.marcher == Marcher::Device &&
+    IsSoftwareRasterizer();
 }
 
 // A segment takes up to two iterations, one to skip invisible bricks.
@@ -123,8 +124,7 @@ double ShortestShadowStepMm(const VolumeMarch& march)
   constexpr double MostIterations = 1 << 16;
   constexpr double IterationsPerSegment = 2.0;
   const double rays = RaysToLights(LightTexelsOf(march.frame.view.renderer));
-  return march.frame.geometry.DiagonalMm() *
-    std::sqrt(IterationsPerSegment * rays / MostIterations);
+  return LongestRayMm(march.frame) * std::sqrt(IterationsPerSegment * rays / MostIterations);
 }
 
 }

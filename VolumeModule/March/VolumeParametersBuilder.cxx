@@ -6,6 +6,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <glm/common.hpp>
+#include <glm/matrix.hpp>
 
 namespace varimarch
 {
@@ -16,6 +17,8 @@ namespace
 void SetPlace(VolumeParameters& p, const VolumeMarch& march, const VoxelRegion& voxels)
 {
   p.worldFromGrid = march.frame.geometry.WorldFromGridDirection();
+  p.gridFromWorld = glm::inverse(march.frame.geometry.WorldFromGridDirection());
+  p.worldOfGridOrigin = glm::dvec3(march.frame.geometry.worldFromGrid[3]);
   p.firstVoxelGrid = glm::dvec3(voxels.first);
   p.voxelCount = glm::dvec3(voxels.count);
   p.voxelCountInverse = 1.0 / glm::dvec3(voxels.count);

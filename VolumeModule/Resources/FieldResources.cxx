@@ -100,7 +100,7 @@ bool FieldResources::BeginsField(const FieldInputs& inputs, FieldSource& source)
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
   const PixelRays rays = ComputePixelRays(clipFromGrid, march.frame.geometry.boxGrid);
   // Rays to lights and to the sky go anywhere.
-  source.towards = march.settings.shadows || march.settings.occlusion
+  source.towards = IsInWayOfLights(march.settings) || IsInWayOfSky(march.settings)
     ? glm::ivec3(0)
     : this->directions.Next(DirectionsOf(rays));
   if (this->madeFrom == source)

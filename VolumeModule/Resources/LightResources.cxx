@@ -1,5 +1,6 @@
 #include "Resources/LightResources.h"
 
+#include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/Lights.h"
 #include "Frame/SceneFingerprint.h"
 
@@ -56,6 +57,12 @@ bool IsSmooth(const MaterialResources& materials, double voxelMm)
   return most * voxelMm <= MostDepthOfVoxel;
 }
 
+// The number of lattices whose light is multiplied, and whose errors add up.
+double LatticesOfALight(const VolumeMarch& march)
+{
+  return double(march.plan.budget.volumeCount) * PartCount(march.settings);
+}
+
 // All inputs of a light's way through the volume, without those of the light itself.
 std::vector<double> InputsOf(const VolumeMarch& march)
 {
@@ -72,7 +79,7 @@ std::vector<double> InputsOf(const VolumeMarch& march)
 
 void LightResources::Update(const VolumeMarch& march, const MaterialResources& materials)
 {
-  this->shadows = {};
+  this->shadows.assign(std::size_t(PartCount(march.settings)), {});
   this->sky = {};
   std::vector<Kept> now;
   if (march.plan.marcher == Marcher::Processor)
@@ -80,7 +87,7 @@ void LightResources::Update(const VolumeMarch& march, const MaterialResources& m
     this->UpdateShadows(march, materials, now);
     this->UpdateSky(march, now);
     // While a user interacts, images have no occlusion, but its nodes stay for the still image.
-    this->sky = march.settings.occlusion ? this->sky : PacketSky();
+    this->sky = IsInWayOfSky(march.settings) ? this->sky : PacketSky();
   }
   this->kept = std::move(now);
 }
@@ -89,41 +96,60 @@ void LightResources::UpdateShadows(
   const VolumeMarch& march, const MaterialResources& materials, std::vector<Kept>& now)
 {
   const double error = march.plan.budget.LightError();
+  const double errorOfLattice = error / LatticesOfALight(march);
   const double voxelMm = march.frame.geometry.SmallestSpacingMm();
-  this->shadows.tolerance = float(error);
   const bool isWhole = std::isinf(march.frame.material.shadowReachMm);
   // Light through blocks of other levels is other light.
-  if (!march.settings.shadows || !isWhole || !(error > 0.0) || !IsSmooth(materials, voxelMm) ||
-    march.frame.blockLevels)
+  const bool hasLattices = IsInWayOfLights(march.settings) && isWhole && error > 0.0 &&
+    IsSmooth(materials, voxelMm) && !march.frame.blockLevels;
+  for (PacketShadows& ofPart : this->shadows)
   {
-    return;
+    ofPart.tolerance = float(error);
+    if (hasLattices)
+    {
+      ofPart.shape = LightLattice::ShapeOfLight(march.frame.geometry.dimensions);
+      ofPart.nodeStepMm = float(NodeStepVoxels(errorOfLattice) * voxelMm);
+      ofPart.agreement = float(AgreementOfError * errorOfLattice);
+    }
   }
-  this->shadows.shape = LightLattice::ShapeOfLight(march.frame.geometry.dimensions);
-  this->shadows.nodeStepMm = float(NodeStepVoxels(error) * voxelMm);
-  this->shadows.agreement = float(AgreementOfError * error);
+  if (hasLattices)
+  {
+    this->KeepLattices(march, now);
+  }
+}
 
+void LightResources::KeepLattices(const VolumeMarch& march, std::vector<Kept>& now)
+{
   const LightTexels lights = LightTexelsOf(march.frame.view.renderer);
   const int count = std::min(lights.distantCount + lights.nearCount, MostShadowedLights);
   const std::vector<double> volumeInputs = InputsOf(march);
   for (int light = 0; light < count; ++light)
   {
-    std::vector<double> inputs = volumeInputs;
-    const glm::vec4& place = lights.texels[std::size_t(light) * LightTexels::PerLight];
-    inputs.insert(
-      inputs.end(), { place.x, place.y, place.z, place.w, double(light < lights.distantCount) });
-    this->shadows.nodes[light] = this->KeepNodes(std::move(inputs), this->shadows.shape, now);
+    for (std::size_t part = 0; part < this->shadows.size(); ++part)
+    {
+      std::vector<double> inputs = volumeInputs;
+      const glm::vec4& place = lights.texels[std::size_t(light) * LightTexels::PerLight];
+      inputs.insert(inputs.end(),
+        { place.x, place.y, place.z, place.w, double(light < lights.distantCount), double(part) });
+      PacketShadows& ofPart = this->shadows[part];
+      // The mean over the cone of a soft light is of products, and so no product of means.
+      if (place.w == 0.0f || LatticesOfALight(march) == 1.0)
+      {
+        ofPart.nodes[light] = this->KeepNodes(std::move(inputs), ofPart.shape, now);
+      }
+    }
   }
 }
 
 void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
 {
-  if (!march.frame.settings.occlusion)
+  if (!IsInWayOfSky(march.frame.settings))
   {
     return;
   }
   const double strength = march.frame.material.occlusion;
   const glm::dmat3 gridFromWorld = glm::inverse(march.frame.geometry.WorldFromGridDirection());
-  this->sky.strength = float(strength);
+  this->sky.strength = march.frame.settings.occlusion ? float(strength) : 0.0f;
   this->sky.reachMm = float(march.frame.material.occlusionReachMm);
   for (int i = 0; i < SphereDirections; ++i)
   {
@@ -131,7 +157,7 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
     this->sky.directions[i] = glm::dvec4(gridFromWorld * one.direction, one.weight);
   }
   // The light that is kept changes by up to 1 / strength times what rays miss.
-  const double error = strength * march.plan.budget.LightError();
+  const double error = strength * march.plan.budget.LightError() / march.plan.budget.volumeCount;
   const double voxelMm = march.frame.geometry.SmallestSpacingMm();
   if (!(error > 0.0))
   {
@@ -141,7 +167,7 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   }
   this->sky.stepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * voxelMm);
   this->sky.mostDepth = float(-std::log(error));
-  if (march.plan.budget.LightError() < SkyCellError)
+  if (!march.frame.settings.occlusion || march.plan.budget.LightError() < SkyCellError)
   {
     return;
   }
@@ -149,6 +175,7 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   this->sky.agreement = SkyAgreement;
   std::vector<double> inputs = InputsOf(march);
   inputs.insert(inputs.end(), { strength, march.frame.material.occlusionReachMm });
+  inputs.insert(inputs.end(), march.frame.occluders.begin(), march.frame.occluders.end());
   this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape, now);
 }
 

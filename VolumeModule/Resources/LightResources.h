@@ -6,16 +6,19 @@
 #include "Frame/MarchPlan.h"
 #include "Resources/MaterialResources.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace varimarch
 {
 
-/// The lattices of the lights that cast shadows in a volume, one for each light, and of the light
-/// from all around, which packets of rays fill while they draw. A lattice is kept as long as its
-/// light, the volume and its opacities stay, whatever the view. There are none without an error
-/// tolerance, and none of shadows where a voxel may be all but opaque: they are then thinner than
-/// the cells of a lattice.
+/// The lattices of the lights that cast shadows in a volume, one for each light and material, and
+/// of the light from all around, which packets of rays fill while they draw. A lattice is kept as
+/// long as its light, the volume and its opacities stay, whatever the view. There are none without
+/// an error tolerance, and none of shadows where a voxel may be all but opaque: they are then
+/// thinner than the cells of a lattice. Volumes that overlap have lattices of their own, whose
+/// light is multiplied; only ambient occlusion, which knows no product, takes all of them into
+/// account.
 class LightResources
 {
 public:
@@ -23,8 +26,8 @@ public:
   /// @param materials  the look of the volume
   void Update(const VolumeMarch& march, const MaterialResources& materials);
 
-  /// The lattices, and how exactly shadows are computed.
-  const PacketShadows& Shadows() const { return this->shadows; }
+  /// The lattices of one of the volume's materials, and how exactly shadows are computed.
+  const PacketShadows& Shadows(int part) const { return this->shadows[std::size_t(part)]; }
 
   /// The lattice, and how exactly ambient occlusion is computed.
   const PacketSky& Sky() const { return this->sky; }
@@ -47,13 +50,14 @@ private:
 
   void UpdateShadows(
     const VolumeMarch& march, const MaterialResources& materials, std::vector<Kept>& now);
+  void KeepLattices(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
   std::uint8_t* KeepNodes(
     std::vector<double> inputs, const LatticeShape& shape, std::vector<Kept>& now);
 
   std::vector<Kept> kept;
   int builds = 0;
-  PacketShadows shadows = {};
+  std::vector<PacketShadows> shadows = { {} }; ///< The lattices of each material.
   PacketSky sky = {};
 };
 

@@ -159,8 +159,9 @@ void MaterialResources::UpdatePreIntegrated(const VolumeMarch& march)
 void MaterialResources::UpdateLights(const VolumeMarch& march)
 {
   this->lights.Set(march.frame.view.window,
-    march.settings.lights ? LightTexelsOf(march.frame.view.renderer).texels
-                          : std::vector<glm::vec4>());
+    march.settings.lights || march.settings.shadowsOthers
+      ? LightTexelsOf(march.frame.view.renderer).texels
+      : std::vector<glm::vec4>());
   this->lights.Update(march.frame.view.window, march.plan.marcher);
 }
 

@@ -197,6 +197,27 @@ bool SceneResources::MissesCurve() const
       [](const auto& other) { return other->Materials().MissesCurve(); });
 }
 
+template <class Number>
+Number SceneResources::SumOfLight(Number (LightResources::*number)() const) const
+{
+  Number sum = (this->first.Light().*number)();
+  for (const auto& other : this->others)
+  {
+    sum += (other->Light().*number)();
+  }
+  return sum;
+}
+
+std::size_t SceneResources::LightBytes() const
+{
+  return this->SumOfLight(&LightResources::Bytes);
+}
+
+int SceneResources::LightLatticeBuilds() const
+{
+  return this->SumOfLight(&LightResources::Builds);
+}
+
 bool SceneResources::IsNothingDrawn() const
 {
   return IsEmpty(this->drawnBox);

@@ -52,7 +52,9 @@ public:
   /// The box around all volumes through which rays are marched, in the grid of the first volume.
   const Box& DrawnBox() const { return this->drawnBox; }
   bool IsNothingDrawn() const;
-  bool MissesCurve() const; ///< True if a table of any volume misses a curve of its function.
+  std::size_t LightBytes() const; ///< The main memory of the lattices of light.
+  int LightLatticeBuilds() const; ///< How many lattices of light were begun.
+  bool MissesCurve() const;       ///< True if a table of any volume misses a curve of its function.
   /// True if texels do not tell apart the values that matter. Overlapping volumes are no
   /// projection.
   bool MergesValues() const { return this->first.Materials().MergesValues(); }
@@ -64,6 +66,9 @@ private:
   void UpdateNoise(const Frame& frame, const MarchPlan& plan);
   void UpdateOthers(const Frame& frame, MarchPlan& plan);
   Box BoxOfAll(const Frame& frame) const;
+  /// The sum over the volumes that overlap.
+  template <class Number>
+  Number SumOfLight(Number (LightResources::*number)() const) const;
   std::size_t BytesBesideFirst() const;
   MemoryElsewhere BesideFirst(const MemoryElsewhere& ofImages) const;
 

@@ -25,6 +25,15 @@ struct Interval
   float exit;
 };
 
+// How far and how exactly a ray to a light is marched.
+struct ShadowMarch
+{
+  float farMm;     // distance beyond which matter does not count [mm]
+  float firstMm;   // first segment [mm]
+  float longestMm; // longest segment [mm]
+  float mostDepth; // optical depth beyond which no light is left
+};
+
 // --- Depth: opaque geometry ends rays ---
 // The t at which geometry that is already drawn ends the ray of this pixel [mm]; without any, a
 // value beyond every exit.
@@ -91,6 +100,9 @@ float PlainMm(int index, float plainMm);
 //     light. A segment without length only reads the values at its position.
 //   Mixture MixtureOf(Interval segment);
 //     Emission and extinction of the segment that was read last; see Volumes/None.glsl.
+// and, for rays to lights, one that Around/Volumes.glsl defines:
+//   float DepthOfVolumes(vec3 originWorld, vec3 directionWorld, ShadowMarch march);
+//     The optical depth of their boxes from the origin of a ray on.
 
 // --- Loop, March: the loop along a ray, and the rule of integration in it ---
 // Each file of Loop declares what the file of March defines for it. Some files of March have a loop

@@ -9,6 +9,11 @@
 
 int labelRow; // row of the mask's label on this part of the ray, in tables; 0 without a label
 
+vec3 PositionGrid(Ray ray, float t)
+{
+  return ray.originGrid + t * ray.directionGrid;
+}
+
 vec3 PositionTexture(Ray ray, float t)
 {
   return ray.originTexture + t * ray.directionTexture;
@@ -79,6 +84,14 @@ mat4x3 GradientsAllAt(vec3 positionTexture);
 // The colour that a material of this colour sends towards the eye from t. reflectance has the
 // coefficients of ambient, diffuse and specular light, and the specular power.
 vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
+
+// --- Through: what the volume absorbs along a ray that begins anywhere. Only for Around ---
+// The optical depth of a part of a ray. It may change labelRow.
+float DepthAlong(Ray ray, Interval inside, ShadowMarch march);
+
+// --- Around: what lies around a place. Only for Reach and Sky ---
+// The optical depth of everything from the origin of a ray on. It may change labelRow.
+float DepthAround(Ray ray, ShadowMarch march);
 
 // --- Reach: the part of each light that reaches a point. Only for Shade/Lights.glsl ---
 // Parts of up to eight lights, in the order of lightTexels, [0,1].

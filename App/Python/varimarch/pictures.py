@@ -109,8 +109,7 @@ def render(
         each a volume or a dictionary {"volume": ...} with any of "spacing", "preset", "color",
         "opacity" and "opacity_unit_distance", as of the first volume; "strength", a factor of its
         opacities, 0 to 1; "turn", angles about x, y and z through its middle [degrees]; and "move",
-        along x, y and z [mm]. All are composites, without labels, shadows, scattering and ambient
-        occlusion.
+        along x, y and z [mm]. All are composites, without labels.
 
     size: width and height of the image [pixels].
     background: colour of the background; default: the preset's.
@@ -190,10 +189,8 @@ def render(
         "reach": number("occlusion_reach", occlusion_reach, 0, 1e30),
     }
     scene["overlays"], over = overlays_of(overlays)
-    is_more = labels is not None or look["blend"] != "composite" or shadows or scattering or occlusion
-    if over and is_more:
-        raise ValueError('overlays: expected blend="composite" without labels, shadows, scattering '
-                         "and occlusion")
+    if over and (labels is not None or look["blend"] != "composite"):
+        raise ValueError('overlays: expected blend="composite" without labels')
     drawn = drawn_labels(image, labels, label_colors, label_opacity, look["blend"])
     picture = _scene.render(image, json.dumps(scene), over, *drawn)
     # VTK counts rows from the bottom.

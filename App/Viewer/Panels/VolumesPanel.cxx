@@ -68,9 +68,7 @@ VolumesPanel::VolumesPanel(SceneModel* model, QWidget* parent)
   : QWidget(parent)
   , model(model)
   , list(new QListWidget)
-  , note(
-      new QLabel(tr("Several volumes are drawn together as composites, without shadows and ambient "
-                    "occlusion.")))
+  , note(new QLabel(tr("Several volumes are drawn together as composites.")))
 {
   this->note->setWordWrap(true);
   this->note->setObjectName("note");

@@ -4425,8 +4425,8 @@ ml</translation>
         <translation>Um diese Achsen drehen</translation>
     </message>
     <message>
-        <source>Several volumes are drawn together as composites, without shadows and ambient occlusion.</source>
-        <translation>Mehrere Volumen werden zusammen mit der Mischung Überlagerung gezeichnet, ohne Schatten und Umgebungsverdeckung.</translation>
+        <source>Several volumes are drawn together as composites.</source>
+        <translation>Mehrere Volumen werden zusammen mit der Mischung Überlagerung gezeichnet.</translation>
     </message>
 </context>
 <context>

@@ -4425,8 +4425,8 @@ ml</translation>
         <translation>Girar alrededor de estos ejes</translation>
     </message>
     <message>
-        <source>Several volumes are drawn together as composites, without shadows and ambient occlusion.</source>
-        <translation>Varios volúmenes se dibujan juntos como compuestos, sin sombras ni oclusión ambiental.</translation>
+        <source>Several volumes are drawn together as composites.</source>
+        <translation>Varios volúmenes se dibujan juntos como compuestos.</translation>
     </message>
 </context>
 <context>

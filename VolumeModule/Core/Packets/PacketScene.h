@@ -253,7 +253,7 @@ struct PacketScene
   PacketCuts cuts;
   PacketDepths depths;
   PacketLocation location;
-  PacketReceivers receivers; ///< not in a mixture
+  PacketReceivers receivers; ///< only of the first constituent in a mixture
   PacketColors colors;       ///< only in a mixture
   PacketConstituent constituent;
   PacketLevels levels; ///< not in a mixture

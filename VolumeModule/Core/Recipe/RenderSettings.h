@@ -186,8 +186,10 @@ struct RenderSettings
   bool windowLevel = false;     ///< colours of the image are scaled
   bool limitsSpan =
     false; ///< rays begin at a distance from the eye, or end after a number of steps
-  bool fromBehind = false;                 ///< composited from the back; with Acceleration::Off
-  bool overlaps = false;                   ///< drawn together with other volumes; composite only
+  bool fromBehind = false;    ///< composited from the back; with Acceleration::Off
+  bool overlaps = false;      ///< drawn together with other volumes; composite only
+  bool shadowsOthers = false; ///< with overlaps: light of any of the volumes comes through this one
+  bool occludesOthers = false; ///< with overlaps: any of the volumes has ambient occlusion
   std::vector<RenderSettings> others = {}; ///< settings of the other volumes, if this is the first
 };
 
@@ -197,6 +199,18 @@ inline bool Marches(const RenderSettings& settings)
   const RayPass pass = settings.pass;
   return settings.role == ShaderRole::MarchRays && pass != RayPass::Picture &&
     pass != RayPass::Upscaled && pass != RayPass::Averaged && pass != RayPass::Accumulated;
+}
+
+/// True if rays to lights go through the volume.
+inline bool IsInWayOfLights(const RenderSettings& settings)
+{
+  return settings.shadows || settings.shadowsOthers;
+}
+
+/// True if rays to all sides go through the volume.
+inline bool IsInWayOfSky(const RenderSettings& settings)
+{
+  return settings.occlusion || settings.occludesOthers;
 }
 
 /// True if the image depends on the sample distance. Voxels as boxes, extremes of linear

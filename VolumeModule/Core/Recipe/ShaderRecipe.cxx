@@ -61,6 +61,12 @@ std::string StepFile(const RenderSettings& settings)
   return "Step/Fixed.glsl";
 }
 
+// True if the volume is drawn as boxes, which rays cross from face to face.
+bool IsOfBoxes(const RenderSettings& settings)
+{
+  return settings.nearest && !settings.uneven;
+}
+
 std::string FileFromBehind(const RenderSettings& settings)
 {
   return MarchesMaterial(settings) ? "March/MaterialFromBehind.glsl"
@@ -100,7 +106,7 @@ std::string MarchFile(const RenderSettings& settings)
   {
     return "March/Projection.glsl";
   }
-  if (settings.nearest && !settings.uneven)
+  if (IsOfBoxes(settings))
   {
     return MarchesMaterial(settings)       ? "March/MaterialVoxels.glsl"
       : settings.blend == Blend::Composite ? "March/Voxels.glsl"
@@ -163,6 +169,22 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   return parts;
 }
 
+bool CastsShadows(const RenderSettings& settings)
+{
+  return settings.shading && settings.lights && settings.shadows;
+}
+
+// Files for rays from samples through the volume; empty if there are none.
+std::vector<std::string> ThroughParts(const RenderSettings& settings)
+{
+  if (!CastsShadows(settings) && !settings.shadowsOthers)
+  {
+    return {};
+  }
+  return { "RaysInside.glsl", IsOfBoxes(settings) ? "Through/Voxels.glsl" : "Through/Segments.glsl",
+    settings.overlaps ? "Around/Volumes.glsl" : "Around/None.glsl" };
+}
+
 // Files that determine the look of a scalar, and the files that they depend on.
 std::vector<std::string> LookParts(const RenderSettings& settings)
 {
@@ -180,6 +202,8 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
     const std::vector<std::string> material = MaterialParts(settings);
     parts.insert(parts.end(), material.begin(), material.end());
   }
+  const std::vector<std::string> through = ThroughParts(settings);
+  parts.insert(parts.end(), through.begin(), through.end());
   if (settings.shading && settings.lights)
   {
     const std::vector<std::string> light = LightParts(settings);
@@ -304,11 +328,19 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   add({ DepthFile(settings), ClipFile(settings), JitterFile(settings), BlendFile(settings),
     "Volumes/None.glsl" });
+  if (settings.shadowsOthers)
+  {
+    parts.push_back("DepthOfNone.glsl");
+  }
   for (const RenderSettings& other : settings.others)
   {
     add(PartsOfOne(other));
   }
   add(PartsOfOne(settings));
+  if (settings.shadowsOthers)
+  {
+    parts.push_back("DepthOfAll.glsl");
+  }
   add({ "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl" });
   add(PassParts(settings));
   add({ SpanFile(settings), "RayMarch.frag.glsl" });

@@ -81,8 +81,7 @@ bool HasPacketRecipe(const Frame& frame)
     settings.mask == Mask::None || frame.voxels.mask.dimensions == frame.geometry.dimensions;
   const bool isSampledEvenly = !settings.uneven || (!isLocated && !settings.nearest);
   const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
-  const bool hasLight = !(settings.shadows || settings.occlusion) || !IsMixture(frame);
-  return HasTwins(settings) && hasLight && isMixed && isSampledEvenly && hasPlaces && hasMask;
+  return HasTwins(settings) && isMixed && isSampledEvenly && hasPlaces && hasMask;
 }
 
 bool IsFinite(VolumeResources& volume)
@@ -170,7 +169,7 @@ bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 // the graphics memory is about the device, which then draws whatever it can.
 PacketReason ReasonForPackets(const Frame& frame, bool isDivided)
 {
-  if (frame.settings.occlusion || (frame.settings.shadows && isDivided))
+  if (IsInWayOfSky(frame.settings) || (IsInWayOfLights(frame.settings) && isDivided))
   {
     return PacketReason::Light;
   }

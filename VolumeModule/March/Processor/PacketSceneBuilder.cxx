@@ -143,7 +143,7 @@ PacketScene PacketSceneOf(
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
   scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,
     march.settings.shading && march.settings.shadows, march.settings.scattering };
-  scene.shadows = volume.Light().Shadows();
+  scene.shadows = volume.Light().Shadows(0);
   scene.sky = volume.Light().Sky();
   scene.extreme = ExtremeOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;

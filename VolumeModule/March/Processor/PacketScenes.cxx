@@ -2,6 +2,7 @@
 
 #include "Core/Fields/BrickRanges.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace varimarch
@@ -18,10 +19,11 @@ void TakeDepths(PacketScene& scene)
   scene.depths = {};
 }
 
-PacketSurroundings SurroundingsOfOther(const Frame& frame)
+PacketSurroundings SurroundingsOfOther(const Frame& frame, const VolumeResources& volume)
 {
   PacketSurroundings around = {};
   around.drawnBox = frame.geometry.boxGrid;
+  around.textures.clippingPlanes = volume.ClippingPlanes();
   return around;
 }
 
@@ -46,7 +48,7 @@ void PacketScenes::AddCoarser(
   const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
 {
   const VolumeMarch level = MarchOfCoarser(march.frame, march.plan);
-  PacketSurroundings around = SurroundingsOfOther(level.frame);
+  PacketSurroundings around = SurroundingsOfOther(level.frame, resources.Coarser());
   around.textures.noiseTexture = this->first.around.textures.noiseTexture;
   around.textures.casterTree = this->first.around.textures.casterTree;
   this->coarser.emplace(level, resources.Coarser(), std::move(around), pixels);
@@ -75,7 +77,7 @@ void PacketScenes::Mix(const VolumeMarch& march, SceneResources& resources, cons
   {
     const VolumeMarch other = MarchOfOther(frame, march.plan, i);
     VolumeResources& volume = resources.Other(i);
-    this->others.emplace_back(other, volume, SurroundingsOfOther(other.frame), pixels);
+    this->others.emplace_back(other, volume, SurroundingsOfOther(other.frame, volume), pixels);
     for (PacketScene& scene : ConstituentsOf(other, volume, this->others.back().scene))
     {
       scene.parameters.ownGridFromRays = GridFromGrid(other.frame.geometry, frame.geometry);
@@ -84,7 +86,10 @@ void PacketScenes::Mix(const VolumeMarch& march, SceneResources& resources, cons
     }
   }
   this->mixed.insert(this->mixed.end(), own.begin() + 1, own.end());
+  const auto castsShadows = [](const PacketScene& scene) { return scene.light.castsShadows; };
+  const bool isInShadow = std::any_of(this->mixed.begin(), this->mixed.end(), castsShadows);
   this->first.scene = own.front();
+  this->first.scene.light.castsShadows |= isInShadow;
   this->first.scene.constituent.others = this->mixed.data();
   this->first.scene.constituent.otherCount = int(this->mixed.size());
 }

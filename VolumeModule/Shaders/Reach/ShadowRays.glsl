@@ -1,75 +1,17 @@
-#include "Math/IntersectBox.glsl"
 #include "Math/ShadowSteps.glsl"
-// The volume casts shadows on itself: a ray from a point to each light is marched through the same
-// field and by the same rule as the rays of the eye. What is near decides, so that its segments
-// begin short and grow. Light changes less along a ray of the eye than what is seen: it is computed
-// at places that are shadowStepMm apart, and the optical depth to it is linear between them. As the
-// sample distance goes to 0, so does shadowStepMm, and the error of the shadows; the search for
-// steps that keep the error tolerance finds steps for both.
+// The volume casts shadows on itself: a ray goes from a point to each light. Light changes less
+// along a ray of the eye than what is seen: it is computed at places that are shadowStepMm apart,
+// and the optical depth to it is linear between them. As the sample distance goes to 0, so does
+// shadowStepMm, and the error of the shadows; the search for steps that keep the error tolerance
+// finds steps for both.
 
 const float BeyondAll = 3.0e38; // distance of lights at infinity [mm]
-const float PartsOfShadow = 4.0;
-
-float PartDepth(Values start, Values end, Gradients gradients, float along, float lengthMm)
-{
-  return MaterialExtinction(Between(start, end, along), gradients) * (lengthMm / PartsOfShadow);
-}
-
-// The optical depth of a segment along which values are linear.
-float SegmentDepth(Values start, Values end, vec3 endTexture, float lengthMm)
-{
-  Gradients gradients = GradientsAt(endTexture);
-  return PartDepth(start, end, gradients, 0.125, lengthMm) +
-    PartDepth(start, end, gradients, 0.375, lengthMm) +
-    PartDepth(start, end, gradients, 0.625, lengthMm) +
-    PartDepth(start, end, gradients, 0.875, lengthMm);
-}
-
-// True if cropping, the mask and gaps leave the volume at t. Sets labelRow for it.
-bool IsSeen(Ray ray, float t)
-{
-  labelRow = LabelRowAt(ray.originGrid + t * ray.directionGrid);
-  return labelRow >= 0 && IsDrawn(ray, t) && HasValue(PositionTexture(ray, t));
-}
-
-// The optical depth of the volume along a ray from its origin on.
-float DepthAlong(Ray ray, float farMm)
-{
-  vec2 box =
-    IntersectBox(ray.originGrid, SafeInverse(ray.directionGrid), boxLowerGrid, boxUpperGrid);
-  Interval inside = Clipped(ray, Interval(max(box.x, 0.0), min(box.y, farMm)));
-  float t = inside.enter;
-  float depth = 0.0;
-  float plainMm = FirstShadowStep(shadowStepMm);
-  Values endValues = ValuesAt(PositionTexture(ray, t));
-  for (int index = 0; index < mostSegments && t < inside.exit && depth < float(MostShadowDepth);
-       ++index)
-  {
-    Interval segment = NextOfField(ray, inside, t, plainMm);
-    // Where the ray jumps, a segment without length reads the values behind the jump.
-    bool jumps = segment.enter > t;
-    t = min(jumps ? segment.enter : segment.exit, inside.exit);
-    float lengthMm = jumps ? 0.0 : max(t - segment.enter, 0.0);
-    Values startValues = endValues;
-    vec3 endTexture = PositionTexture(ray, t);
-    endValues = ValuesAt(endTexture);
-    if (lengthMm > 0.0 && MayAbsorb(startValues, endValues) && IsSeen(ray, t - 0.5 * lengthMm))
-    {
-      depth += SegmentDepth(startValues, endValues, endTexture, lengthMm);
-    }
-    plainMm = jumps ? plainMm : NextShadowStep(plainMm, shadowStepMm);
-  }
-  return depth;
-}
 
 float Transmitted(vec3 originGrid, vec3 towards, float farMm)
 {
-  Ray ray;
-  ray.originGrid = originGrid;
-  ray.directionGrid = gridFromWorld * towards;
-  ray.originTexture = (originGrid - firstVoxelGrid + 0.5) * voxelCountInverse;
-  ray.directionTexture = ray.directionGrid * voxelCountInverse;
-  return exp(-DepthAlong(ray, farMm));
+  ShadowMarch march =
+    ShadowMarch(farMm, FirstShadowStep(shadowStepMm), shadowStepMm, float(MostShadowDepth));
+  return exp(-DepthAround(RayFrom(originGrid, gridFromWorld * towards), march));
 }
 
 WayToLight WayTo(vec3 placeOfLight, bool isDistant, vec3 originGrid)
@@ -90,7 +32,7 @@ float TransmittedFrom(int light, vec3 originGrid)
 // The parts of the lights at t, from rays to each of them.
 Reach TracedReach(Ray ray, float t)
 {
-  vec3 originGrid = ray.originGrid + t * ray.directionGrid;
+  vec3 originGrid = PositionGrid(ray, t);
   Reach reach = Reach(vec4(1.0), vec4(1.0));
   int ownRow = labelRow;
   int count = min(distantCount + nearCount, MostShadows);

@@ -7,6 +7,7 @@
 #include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
+#include "Core/Packets/Reach/LightOnPlaces.h"
 #include "Core/Packets/Volumes/Next.h"
 
 namespace varimarch
@@ -19,7 +20,9 @@ namespace
 /// them shows.
 /// @param piece  in the grid of the first constituent
 /// @param last   the constituent that knows all others
-inline PacketSum MarchTogether(const PacketPiece& piece, Constituent& last)
+/// @tparam Light  MixedLight or UnmixedLight
+template <class Light>
+PacketSum MarchTogether(const PacketPiece& piece, Constituent& last, Light light)
 {
   const PacketScene& first = piece.scene;
   const PacketRays& rays = piece.rays;
@@ -40,14 +43,18 @@ inline PacketSum MarchTogether(const PacketPiece& piece, Constituent& last)
     const Lanes plain = enter + piece.walk.StepMm(AllInt(index), plainMm, sum.opticalDepth);
     t = Min(Min(Max(plain, visible.exit), last.NextFace(enter, going)), rays.exit);
     const Lanes partMm = Select(going, (t - enter) * Part, Lanes{});
-    MixedSegment mixture;
-    last.AddTo(mixture, { enter + 0.5f * partMm, partMm }, going);
-    for (const Optical& part : mixture.parts)
+    const PartLanes parts{ enter + 0.5f * partMm, partMm };
+    MixedSegment mixture = NextSegment(light);
+    last.AddTo(mixture, parts, going);
+    for (int i = 0; i < PartsPerSegment; ++i)
     {
+      const Optical& part = mixture.parts[i];
+      light.Gather(sum, i, { parts.MiddleOf(i), partMm }, part.extinction);
       sum.Add({ (1.0f / Max(part.extinction, All(1e-30f))) * part.color, part.extinction }, partMm);
     }
     going &= GoOn(first, rays, t, sum);
   }
+  light.AddGathered(sum);
   return sum;
 }
 
@@ -57,9 +64,14 @@ inline PacketSum MarchBehind(const PacketPiece& piece, int next, Constituent* kn
 {
   const PacketConstituent& all = piece.scene.constituent;
   const PacketScene& scene = next < all.otherCount ? all.others[next] : piece.scene;
-  Constituent constituent(scene, piece.rays, piece.x, piece.y, known);
-  return next < all.otherCount ? MarchBehind(piece, next + 1, &constituent)
-                               : MarchTogether(piece, constituent);
+  Constituent constituent(scene, piece, known);
+  if (next < all.otherCount)
+  {
+    return MarchBehind(piece, next + 1, &constituent);
+  }
+  return piece.scene.light.castsShadows
+    ? MarchTogether(piece, constituent, MixedLight(piece.scene, piece.rays))
+    : MarchTogether(piece, constituent, UnmixedLight());
 }
 
 template <>
@@ -67,10 +79,11 @@ struct MarchOf<Mixture>
 {
   static PacketSum Along(const PacketPiece& piece) { return MarchBehind(piece, 0, nullptr); }
 
-  // Mixtures cast no shadows.
-  static Lanes4 LightOn(const PacketScene&, int, int)
+  static Lanes4 LightOn(const PacketScene& scene, int x, int y)
   {
-    return { All(1.0f), All(1.0f), All(1.0f), All(1.0f) };
+    return LightOnPlaces(scene, PlacesOfPacket(scene, x, y),
+      [&](int light, const PacketPlaces& places)
+      { return LightThroughAll(scene, light).ThroughVolumes(places.placeGrid, places.mask); });
   }
 };
 

@@ -101,6 +101,14 @@ public:
       [&](Lanes value) { return this->LookOf(value, slope.gradient).extinction; });
   }
 
+  /// The same with the light of the first lights taken apart, see PacketLights.
+  template <class Take>
+  Lanes3 LitApart(const Reflector& own, const Lanes3& color, Lanes t, int apart, Take take) const
+  {
+    return PacketLights(this->scene, own.reflectance, this->directionWorld)
+      .LitApart(color, own.surface, this->WorldAt(t), apart, take);
+  }
+
 protected:
   /// The places from which a surface sees what is around it.
   static Lanes3 Off(const Lanes3& placeGrid, const Lanes3& direction, LaneMask isAlong)

@@ -2,6 +2,7 @@
 #define Varimarch_Core_Packets_Reach_BoxShadows_h
 
 // Rays to lights through voxels without interpolation.
+// Twin of Through/Voxels.glsl.
 
 #include "Core/Packets/March/Voxels.h"
 #include "Core/Packets/Reach/ShadowRays.h"
@@ -13,12 +14,13 @@ namespace
 {
 
 /// The optical depth of boxes along rays of any origin: from face to face, so that it is exact.
-template <class Content>
-class ShadowDepth<PacketBoxes<Content>>
+/// @tparam Boxes  like PacketBoxes
+template <class Boxes>
+class BoxDepth
 {
 public:
-  ShadowDepth(const PacketScene& scene, const PacketBoxes<Content>& boxes, const PacketRays& rays,
-    const ShadowMarch& march)
+  BoxDepth(
+    const PacketScene& scene, const Boxes& boxes, const PacketRays& rays, const ShadowMarch& march)
     : scene(scene)
     , boxes(boxes)
     , rays(rays)
@@ -107,7 +109,7 @@ private:
   }
 
   const PacketScene& scene;
-  const PacketBoxes<Content>& boxes;
+  const Boxes& boxes;
   const PacketRays& rays;
   float mostDepth;
   PacketWalk walk;
@@ -116,6 +118,13 @@ private:
   LatticePlace place;
   Lanes brickEnd; ///< the end of the segment of bricks in which the rays are
   Lanes depth = {};
+};
+
+template <class Content>
+class ShadowDepth<PacketBoxes<Content>> : public BoxDepth<PacketBoxes<Content>>
+{
+public:
+  using BoxDepth<PacketBoxes<Content>>::BoxDepth;
 };
 
 }

@@ -125,6 +125,37 @@ private:
   LaneMask isKnown = {}; ///< the rays that were examined
 };
 
+/// The shadows that geometry casts on the rays of a packet, of lights that are points.
+class CastersOnRays
+{
+public:
+  CastersOnRays(const PacketScene& scene, const PacketRays& rays)
+    : scene(scene)
+    , rays(rays)
+  {
+  }
+
+  /// How much an eye sees of a light on a part of the rays that geometry leaves.
+  Lanes Left(int light, Lanes seen, const RayPart& part, LaneMask isSeen)
+  {
+    if (!Casters::AreIn(this->scene) || ShadowedLight(this->scene, light).ConeHeight() > 0.0f)
+    {
+      return seen;
+    }
+    const Casters casters(this->scene, light);
+    const Lanes half = 0.5f * part.lengthMm;
+    return seen *
+      this->edges[light].LitFraction(this->rays, part.t - half, part.t + half, isSeen,
+        this->scene.rays.shadowStepMm,
+        [&](Lanes t, LaneMask mask) { return casters.Leave(this->rays.At(t), mask); });
+  }
+
+private:
+  const PacketScene& scene;
+  const PacketRays& rays;
+  CasterEdges edges[MostShadowedLights];
+};
+
 }
 
 }

@@ -12,6 +12,7 @@
 #include "Core/Packets/Reach/LightCells.h"
 #include "Core/Packets/Reach/OpenSky.h"
 #include "Core/Packets/Reach/ShadowRays.h"
+#include "Core/Packets/Reach/TracedPlaces.h"
 
 namespace varimarch
 {
@@ -39,16 +40,25 @@ public:
 
   Lanes At(const Lanes3& placeGrid, LaneMask mask) const
   {
-    return this->light.ConeHeight() > 0.0f && Casters::AreIn(this->scene)
-      ? this->LeftOfConeAt(placeGrid, mask)
-      : this->ThroughVolume(placeGrid, mask);
+    return this->IsSoft() && Casters::AreIn(this->scene) ? this->LeftOfConeAt(placeGrid, mask)
+                                                         : this->ThroughVolume(placeGrid, mask);
   }
 
   /// The part that the volume alone lets through.
   Lanes ThroughVolume(const Lanes3& placeGrid, LaneMask mask) const
   {
-    return this->light.ConeHeight() > 0.0f ? this->OfConeAt(placeGrid, mask)
-                                           : this->OfPointAt(placeGrid, mask);
+    return this->IsSoft() ? this->OfConeAt(placeGrid, mask) : this->OfPointAt(placeGrid, mask);
+  }
+
+  bool IsSoft() const { return this->light.ConeHeight() > 0.0f; }
+
+  /// The part that the volume lets through from one direction, without the lattice.
+  /// @param turned  see ShadowedLight
+  template <class Turned>
+  Lanes Along(const Lanes3& placeGrid, LaneMask mask, float longestMm, Turned turned) const
+  {
+    return this->AtEndOf(
+      this->light.RaysFrom(placeGrid, turned), mask, longestMm, NothingIsKnown());
   }
 
 private:
@@ -70,10 +80,8 @@ private:
         [&](const auto& turned)
         {
           const LaneMask leaves = this->casters.Leave(placeGrid, isPart, turned);
-          return Select(leaves,
-            this->AtEndOf(this->light.RaysFrom(placeGrid, turned), leaves,
-              this->scene.rays.shadowStepMm, NothingIsKnown()),
-            Lanes{});
+          return Select(
+            leaves, this->Along(placeGrid, leaves, this->scene.rays.shadowStepMm, turned), Lanes{});
         });
       light = Select(isPart, part, light);
     }
@@ -120,11 +128,7 @@ private:
   [[gnu::noinline]] Lanes TracedCone(const Lanes3& placeGrid, LaneMask mask, float longestMm) const
   {
     return MeanOverCone(this->light.ConeHeight(),
-      [&](const auto& turned)
-      {
-        return this->AtEndOf(
-          this->light.RaysFrom(placeGrid, turned), mask, longestMm, NothingIsKnown());
-      });
+      [&](const auto& turned) { return this->Along(placeGrid, mask, longestMm, turned); });
   }
 
   // The depth beyond which all light that is left may be missing.
@@ -185,7 +189,7 @@ private:
   [[gnu::noinline]] Lanes AtNode(const Lanes3& nodeGrid, LaneMask mask) const
   {
     const float longestMm = this->scene.shadows.nodeStepMm;
-    return this->light.ConeHeight() > 0.0f
+    return this->IsSoft()
       ? this->TracedCone(nodeGrid, mask, longestMm)
       : this->AtEndOf(this->light.RaysFrom(nodeGrid), mask, longestMm, NothingIsKnown());
   }
@@ -210,6 +214,7 @@ public:
     : Undimmed(scene, rays)
     , voxels(SceneOfLight(scene).volume)
     , lightCount(ShadowedLight::CountOf(scene))
+    , casters(scene, rays)
     , gathered(this->lightCount, scene.rays.shadowStepMm)
   {
   }
@@ -257,92 +262,33 @@ private:
     this->gathered.MoveTo(part.t, isSeen);
     const Lanes seen = surface.open * sum.transmittance *
       Absorption(Min(look.extinction * part.lengthMm, All(100.0f)));
-    const Reflector reflector = this->ReflectorAt(surface, part.t);
-    return PacketLights(this->scene, reflector.reflectance, this->directionWorld)
-      .LitApart(look.color, reflector.surface, this->WorldAt(part.t), this->lightCount,
-        [&](int light, const Lanes3& own)
-        { this->gathered.Add(light, this->LeftByCasters(light, seen, part, isSeen) * own); });
+    const RayPart inShadow{ part.t, 2.0f * this->gathered.HalfLengthMm(part.lengthMm) };
+    return this->LitApart(this->ReflectorAt(surface, part.t), look.color, part.t, this->lightCount,
+      [&](int light, const Lanes3& own)
+      { this->gathered.Add(light, this->casters.Left(light, seen, inShadow, isSeen) * own); });
   }
 
-  // How much an eye sees of the light on a part of the rays that geometry leaves.
-  Lanes LeftByCasters(int light, Lanes seen, const RayPart& part, LaneMask isSeen)
+  /// The part of a light that reaches places in the grid of the rays.
+  struct LightFromRays
   {
-    if (!Casters::AreIn(this->scene) || ShadowedLight(this->scene, light).ConeHeight() > 0.0f)
+    const PacketScene& scene;
+    TracedLight<Voxels> traced;
+
+    Lanes At(const Lanes3& placeGrid, LaneMask mask) const
     {
-      return seen;
+      return this->traced.At(PlaceOfLight(this->scene, placeGrid), mask);
     }
-    const Casters casters(this->scene, light);
-    const Lanes half = this->gathered.HalfLengthMm(part.lengthMm);
-    return seen *
-      this->edges[light].LitFraction(this->rays, part.t - half, part.t + half, isSeen,
-        this->scene.rays.shadowStepMm,
-        [&](Lanes t, LaneMask mask) { return casters.Leave(this->rays.At(t), mask); });
-  }
-
-  /// Places that wait for a packet of rays to a light, which may be of any rays of the eye.
-  struct Waiting
-  {
-    float* light[LaneCount];
-    int lane[LaneCount];
-    float t[LaneCount] = {};
-    int count = 0;
   };
 
   void SetLight(int light, LitPlaces& places) const
   {
-    const TracedLight<Voxels> traced(SceneOfLight(this->scene), this->voxels, light);
-    Waiting waiting;
-    for (int place = 0; place < LitPlaces::MostPerRay; ++place)
-    {
-      for (int lane = 0; lane < LaneCount; ++lane)
-      {
-        if (place >= places.count[lane] || !places.isNeeded[place][lane])
-        {
-          continue;
-        }
-        const int next = waiting.count++;
-        waiting.light[next] = &places.light[place][lane];
-        waiting.lane[next] = lane;
-        waiting.t[next] = places.t[place][lane];
-        this->TraceFull(traced, waiting, LaneCount);
-      }
-    }
-    this->TraceFull(traced, waiting, 1);
-  }
-
-  // Traces the light of places as soon as there are enough.
-  void TraceFull(const TracedLight<Voxels>& traced, Waiting& waiting, int enough) const
-  {
-    if (waiting.count < enough)
-    {
-      return;
-    }
-    const LaneMask mask = IntLanesOf([&](int i) { return i < waiting.count ? -1 : 0; });
-    const Lanes3 placeGrid = this->PlacesOf(waiting.lane, waiting.count, LanesAt(waiting.t));
-    const Numbers light(traced.At(PlaceOfLight(this->scene, placeGrid), mask));
-    for (int i = 0; i < waiting.count; ++i)
-    {
-      *waiting.light[i] = light.of[i];
-    }
-    waiting.count = 0;
-  }
-
-  Lanes3 PlacesOf(const int (&lanes)[LaneCount], int count, Lanes t) const
-  {
-    const auto gathered = [&](Lanes numbers)
-    {
-      const Numbers of(numbers);
-      return LanesOf([&](int i) { return of.of[i < count ? lanes[i] : 0]; });
-    };
-    const Lanes3& origin = this->rays.originGrid;
-    const Lanes3& direction = this->rays.directionGrid;
-    return Lanes3(gathered(origin.x), gathered(origin.y), gathered(origin.z)) +
-      t * Lanes3(gathered(direction.x), gathered(direction.y), gathered(direction.z));
+    const LightFromRays found{ this->scene, { SceneOfLight(this->scene), this->voxels, light } };
+    TracedPlaces<LightFromRays>(this->rays, found).Set(places);
   }
 
   Voxels voxels;  ///< the voxels of SceneOfLight
   int lightCount; ///< number of lights that cast shadows
-  CasterEdges edges[MostShadowedLights];
+  CastersOnRays casters;
   typename GatheringIn<Voxels>::Type gathered;
 };
 

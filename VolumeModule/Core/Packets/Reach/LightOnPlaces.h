@@ -40,19 +40,28 @@ inline PacketPlaces PlacesOfPacket(const PacketScene& scene, int x, int y)
     LaneMask(LanesAt(numbers[3]) > 0.0f) };
 }
 
-/// The parts of four lights that a volume lets through to the places of a packet.
+/// The parts of four lights that reach the places of a packet.
+/// @param partOf  (index of a light, places) -> its part
+template <class PartOf>
+Lanes4 LightOnPlaces(const PacketScene& scene, const PacketPlaces& places, PartOf partOf)
+{
+  const auto lightOf = [&](int i)
+  {
+    const int light = scene.receivers.firstLight + i;
+    return light < ShadowedLight::CountOf(scene) && Any(places.mask) ? partOf(light, places)
+                                                                     : All(1.0f);
+  };
+  return { lightOf(0), lightOf(1), lightOf(2), lightOf(3) };
+}
+
+/// The same for what one volume lets through.
 template <class Voxels>
 Lanes4 LightOnPlaces(const PacketScene& scene, const PacketPlaces& places)
 {
   const Voxels voxels(scene.volume);
-  const auto lightOf = [&](int i)
-  {
-    const int light = scene.receivers.firstLight + i;
-    return light < ShadowedLight::CountOf(scene) && Any(places.mask)
-      ? TracedLight<Voxels>(scene, voxels, light).ThroughVolume(places.placeGrid, places.mask)
-      : All(1.0f);
-  };
-  return { lightOf(0), lightOf(1), lightOf(2), lightOf(3) };
+  return LightOnPlaces(scene, places,
+    [&](int light, const PacketPlaces& of)
+    { return TracedLight<Voxels>(scene, voxels, light).ThroughVolume(of.placeGrid, of.mask); });
 }
 
 }

@@ -80,8 +80,9 @@ public:
     {
       return this->ExtinctionOfLabels(value, gradient);
     }
-    return this->IsOfValues() ? varimarch::ExtinctionOf(this->scene.look, value)
-                              : this->material.LookOf(value, gradient).extinction;
+    const Lanes extinction = this->IsOfValues() ? varimarch::ExtinctionOf(this->scene.look, value)
+                                                : this->material.LookOf(value, gradient).extinction;
+    return this->scene.parameters.partWeights[this->scene.constituent.component] * extinction;
   }
 
 private:

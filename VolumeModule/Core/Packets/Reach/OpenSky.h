@@ -13,7 +13,28 @@ namespace varimarch
 namespace
 {
 
+/// The optical depth of a volume from places on, as far as light from all around is taken.
+/// @param direction  its index in PacketSky
+template <class Voxels>
+FLATTENED Lanes SkyDepth(const PacketScene& scene, const Voxels& voxels, int direction,
+  const Lanes3& placeGrid, LaneMask mask)
+{
+  PacketRays rays;
+  rays.originGrid = placeGrid;
+  rays.directionGrid = AllOf3(scene.sky.directions[direction]);
+  rays.inverse = SafeInverse(rays.directionGrid);
+  rays.region = IntLanes{};
+  rays.enter = Lanes{};
+  rays.exit = All(scene.sky.reachMm);
+  KeepUncut(rays, scene);
+  // A surface is farther from its place than the first segment.
+  const float longestMm = scene.sky.stepMm;
+  const ShadowMarch march = { longestMm, All(0.5f * longestMm), scene.sky.mostDepth };
+  return DepthAlong(scene, voxels, rays, march, mask, NothingIsKnown());
+}
+
 /// The part of the light from all around that reaches places in a volume.
+/// @tparam Voxels  with a SkyDepth
 template <class Voxels>
 class OpenSky
 {
@@ -46,28 +67,12 @@ private:
   [[gnu::noinline]] Lanes Traced(const Lanes3& placeGrid, LaneMask mask) const
   {
     Lanes seen = {};
-    for (const glm::vec4& direction : this->scene.sky.directions)
+    for (int i = 0; i < SphereDirections; ++i)
     {
-      seen = seen + direction.w * Exp(-this->DepthTowards(direction, placeGrid, mask));
+      const Lanes depth = SkyDepth(this->scene, this->voxels, i, placeGrid, mask);
+      seen = seen + this->scene.sky.directions[i].w * Exp(-depth);
     }
     return seen / (seen + this->scene.sky.strength * (1.0f - seen));
-  }
-
-  FLATTENED Lanes DepthTowards(
-    const glm::vec3& directionGrid, const Lanes3& placeGrid, LaneMask mask) const
-  {
-    PacketRays rays;
-    rays.originGrid = placeGrid;
-    rays.directionGrid = AllOf3(directionGrid);
-    rays.inverse = SafeInverse(rays.directionGrid);
-    rays.region = IntLanes{};
-    rays.enter = Lanes{};
-    rays.exit = All(this->scene.sky.reachMm);
-    KeepUncut(rays, this->scene);
-    // A surface is farther from its place than the first segment.
-    const float longestMm = this->scene.sky.stepMm;
-    const ShadowMarch march = { longestMm, All(0.5f * longestMm), this->scene.sky.mostDepth };
-    return DepthAlong(this->scene, this->voxels, rays, march, mask, NothingIsKnown());
   }
 
   const PacketScene& scene;

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Core_Packets_Reach_ShadowRays_h
 #define Varimarch_Core_Packets_Reach_ShadowRays_h
 
-// Twin of Reach/ShadowRays.glsl.
+// Twin of Reach/ShadowRays.glsl and Through/Segments.glsl.
 
 #include "Core/Packets/Reach/MatterAlong.h"
 #include "Core/Packets/Shade/Lights.h"
@@ -150,7 +150,7 @@ private:
 /// Keeps the parts of rays inside the volume that clipping planes leave.
 inline void KeepUncut(PacketRays& rays, const PacketScene& scene)
 {
-  KeepInside(rays, scene.rays.boxLowerGrid, scene.rays.boxUpperGrid);
+  KeepInside(rays, scene.parameters.ownLowerGrid, scene.parameters.ownUpperGrid);
   for (int plane = 0; plane < scene.rays.clippingPlaneCount; ++plane)
   {
     KeepBeyond(rays, scene.rayTextures.clippingPlanes[plane]);

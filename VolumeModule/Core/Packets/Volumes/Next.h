@@ -6,14 +6,11 @@
 // Material/Components.glsl, Classify/ComponentTables.glsl, Components/Independent.glsl,
 // Components/LuminanceOpacity.glsl and Components/Rgba.glsl.
 
-#include "Core/Packets/Interpolation/CubicSpline.h"
-#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/Loop/Segments.h"
-#include "Core/Packets/March/Voxels.h"
-#include "Core/Packets/Material/OneComponent.h"
 #include "Core/Packets/PacketLattice.h"
-#include "Core/Packets/Spacing/Uneven.h"
+#include "Core/Packets/PacketTileMarch.h"
 #include "Core/Packets/Step/OpticalField.h"
+#include "Core/Packets/Volumes/MixedSegment.h"
 
 namespace varimarch
 {
@@ -21,45 +18,19 @@ namespace varimarch
 namespace
 {
 
-/// Calls a function with a reader for the type of the voxels.
-/// @param read  (reader)
-template <template <class> class Reader, class Read>
-auto ReadByType(const PacketVolume& volume, Read read)
-{
-  return ByVoxelType(
-    volume.type, [&](auto voxel) { return read(Reader<decltype(voxel)>(volume)); });
-}
-
-constexpr int PartsPerSegment = 4;
-
-/// Emission (as the color) [1/mm] and extinction of the parts of a segment.
-struct MixedSegment
-{
-  Optical parts[PartsPerSegment] = {};
-};
-
-/// A segment in equal parts, each of which has the properties of its middle.
-struct PartLanes
-{
-  Lanes firstMiddle;
-  Lanes partMm;
-
-  Lanes MiddleOf(int part) const { return this->firstMiddle + float(part) * this->partMm; }
-};
-
 /// A constituent of a mixture, and the ones before it. All have the same rays, each in its own
 /// grid; t is a length in the world, and so means the same place for all.
 class Constituent
 {
 public:
-  /// @param x, y  the first pixel
-  Constituent(
-    const PacketScene& scene, const PacketRays& raysOfAll, int x, int y, Constituent* before)
+  /// @param piece  in the grid of the first constituent
+  Constituent(const PacketScene& scene, const PacketPiece& piece, Constituent* before)
     : before(before)
     , scene(scene)
+    , all(piece.scene)
     , isOfBoxes(scene.rule == PacketRule::MaterialVoxels)
-    , rays(OwnRays(scene, raysOfAll, x, y))
-    , walk(scene, this->rays, x, y)
+    , rays(OwnRays(scene, piece))
+    , walk(scene, this->rays, piece.x, piece.y)
     , material(scene, this->rays)
     , lattice(this->rays, 1.0f, -0.5f, scene.volume.voxelCount)
     , box(this->lattice.At(this->rays.enter))
@@ -140,15 +111,15 @@ public:
   }
 
 private:
-  static PacketRays OwnRays(const PacketScene& scene, const PacketRays& raysOfAll, int x, int y)
+  static PacketRays OwnRays(const PacketScene& scene, const PacketPiece& piece)
   {
     const VolumeParameters& own = scene.parameters;
     const PacketDepths& visible = scene.constituent.visible;
-    PacketRays rays = InGridOf(own, raysOfAll);
+    PacketRays rays = InGridOf(own, piece.rays);
     KeepInside(rays, own.ownLowerGrid, own.ownUpperGrid);
     if (visible.nearest)
     {
-      CutByVisible(rays, visible, x, y);
+      CutByVisible(rays, visible, piece.x, piece.y);
     }
     const LaneMask meets = LaneMask(rays.enter < rays.exit);
     rays.enter = Select(meets, rays.enter, All(Never));
@@ -173,29 +144,12 @@ private:
   }
 
   // The place where voxels are read.
-  Lanes3 PlaceAt(Lanes t) const { return this->VoxelPlace(this->rays.At(t)); }
-
-  Lanes3 VoxelPlace(const Lanes3& grid) const
-  {
-    return this->scene.textures.spacingTable ? UnevenPlace(this->scene, grid) : grid;
-  }
+  Lanes3 PlaceAt(Lanes t) const { return VoxelPlace(this->scene, this->rays.At(t)); }
 
   template <class Voxels>
   Slope SlopeAt(const Voxels& voxels, Lanes t, LaneMask mask) const
   {
-    const Lanes3 grid = this->rays.At(t);
-    if (!this->scene.textures.spacingTable)
-    {
-      return voxels.SlopeAt(grid, mask);
-    }
-    const auto along = [&](float x, float y, float z)
-    {
-      const Lanes3 step{ All(x), All(y), All(z) };
-      return voxels.ValueAt(this->VoxelPlace(grid + step)) -
-        voxels.ValueAt(this->VoxelPlace(grid - step));
-    };
-    return { voxels.ValueAt(this->VoxelPlace(grid)),
-      { along(1.0f, 0.0f, 0.0f), along(0.0f, 1.0f, 0.0f), along(0.0f, 0.0f, 1.0f) } };
+    return EvenSlopeAt(this->scene, voxels, this->rays.At(t), mask);
   }
 
   LaneMask Absorbs(Lanes value, LaneMask mask) const
@@ -203,12 +157,48 @@ private:
     return mask & MayAbsorb(this->scene.look, value, value);
   }
 
-  void Add(Optical& sum, const Optical& optical, LaneMask mask) const
+  bool IsPlain() const { return this->material.IsPlain() && !(this->scene.sky.strength > 0.0f); }
+
+  // The extinction as a part of the mixture.
+  Lanes Mixed(Lanes extinction, LaneMask mask) const
   {
     const float weight = this->scene.parameters.partWeights[this->scene.constituent.component];
-    const Lanes extinction = Select(mask, weight * optical.extinction, Lanes{});
-    sum.color = sum.color + extinction * optical.color;
+    return Select(mask, weight * extinction, Lanes{});
+  }
+
+  static void Add(Optical& sum, const Lanes3& color, Lanes extinction)
+  {
+    sum.color = sum.color + extinction * color;
     sum.extinction += extinction;
+  }
+
+  /// Adds a surface, lit.
+  /// @param open  the part of its light that it keeps
+  void AddLit(const MixedPart& part, const Optical& look, const Surface& surface, Lanes open,
+    Lanes t, LaneMask mask) const
+  {
+    const Lanes extinction = this->Mixed(look.extinction, mask);
+    const Lanes lit = open * extinction;
+    const bool mayBeInShadow = part.byLights && this->scene.light.shading == PacketShading::Lights;
+    const Lanes3 color = mayBeInShadow
+      ? this->material.LitApart(this->material.ReflectorAt(surface, t), look.color, t,
+          part.lightCount,
+          [&](int light, const Lanes3& own)
+          { part.byLights[light] = part.byLights[light] + lit * own; })
+      : this->material.Shaded(look.color, surface, t);
+    Add(part.sum, open * color, extinction);
+  }
+
+  // The part of its light that a surface keeps under ambient occlusion.
+  Lanes OpenAt(const Slope& slope, Lanes t, LaneMask mask) const
+  {
+    if (!(this->scene.sky.strength > 0.0f))
+    {
+      return All(1.0f);
+    }
+    const VoxelsAmongOthers voxels{ this->all };
+    return OpenSky<VoxelsAmongOthers>(this->scene, voxels)
+      .At(this->material.OutsideOf(slope, this->rays.At(t), voxels), mask);
   }
 
   // A box has the same properties in all parts.
@@ -216,8 +206,6 @@ private:
   void AddBox(
     const Boxes& boxes, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
   {
-    Optical inBox = {};
-    const Lanes t = parts.MiddleOf(PartsPerSegment / 2);
     const auto valueOf = [&](const Boxes& component) { return component.ValueOf(this->box.cell); };
     const auto gradientOf = [&](const Boxes& component)
     { return component.GradientOf(this->box.cell); };
@@ -227,20 +215,37 @@ private:
     {
       return;
     }
+    Optical inBox = {};
+    Lanes3 byLights[MostShadowedLights];
+    for (int light = 0; light < mixture.lightCount; ++light)
+    {
+      byLights[light] = Lanes3(0.0f);
+    }
+    const MixedPart part{ inBox, mixture.byLights ? byLights : nullptr, mixture.lightCount };
+    const Lanes t = parts.MiddleOf(PartsPerSegment / 2);
     if (this->scene.colors.count > 0)
     {
-      this->AddColored(boxes, inBox, t, mask, valueOf, gradientOf);
+      this->AddColored(boxes, part, t, mask, valueOf, gradientOf);
     }
     else
     {
-      const Lanes3 gradient =
-        this->material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} } : gradientOf(boxes);
-      this->Add(inBox, this->material.At(value, this->material.SurfaceOf(gradient), t), absorbs);
+      const Lanes3 none(0.0f);
+      this->AddSurface({ value, this->IsPlain() ? none : gradientOf(boxes) }, part, t, absorbs);
     }
-    for (Optical& part : mixture.parts)
+    this->AddToAll(part, mixture);
+  }
+
+  static void AddToAll(const MixedPart& inBox, MixedSegment& mixture)
+  {
+    for (int i = 0; i < PartsPerSegment; ++i)
     {
-      part.color = part.color + inBox.color;
-      part.extinction += inBox.extinction;
+      const MixedPart part = mixture.Part(i);
+      part.sum.color = part.sum.color + inBox.sum.color;
+      part.sum.extinction += inBox.sum.extinction;
+      for (int light = 0; light < inBox.lightCount; ++light)
+      {
+        part.byLights[light] = part.byLights[light] + inBox.byLights[light];
+      }
     }
   }
 
@@ -252,8 +257,8 @@ private:
       this->AddColors(voxels, mixture, parts, mask);
       return;
     }
-    this->material.IsPlain() ? this->AddValues(voxels, mixture, parts, mask)
-                             : this->AddSurfaces(voxels, mixture, parts, mask);
+    this->IsPlain() ? this->AddValues(voxels, mixture, parts, mask)
+                    : this->AddSurfaces(voxels, mixture, parts, mask);
   }
 
   template <class Voxels>
@@ -268,7 +273,8 @@ private:
       const LaneMask absorbs = this->Absorbs(values[part], mask);
       if (Any(absorbs))
       {
-        this->Add(mixture.parts[part], Classify(this->scene.look, values[part]), absorbs);
+        const Optical look = Classify(this->scene.look, values[part]);
+        Add(mixture.parts[part], look.color, this->Mixed(look.extinction, absorbs));
       }
     }
   }
@@ -289,10 +295,15 @@ private:
       this->isSeen = Any(absorbs);
       if (this->isSeen)
       {
-        const Surface surface = this->material.SurfaceOf(slope.gradient);
-        this->Add(mixture.parts[part], this->material.At(slope.value, surface, t), absorbs);
+        this->AddSurface(slope, mixture.Part(part), t, absorbs);
       }
     }
+  }
+
+  void AddSurface(const Slope& slope, const MixedPart& part, Lanes t, LaneMask absorbs) const
+  {
+    this->AddLit(part, this->material.LookOf(slope.value, slope.gradient),
+      this->material.SurfaceOf(slope.gradient), this->OpenAt(slope, t, absorbs), t, absorbs);
   }
 
   template <class Voxels>
@@ -304,7 +315,7 @@ private:
       const Lanes t = parts.MiddleOf(part);
       const Lanes3 place = this->PlaceAt(t);
       this->AddColored(
-        voxels, mixture.parts[part], t, mask,
+        voxels, mixture.Part(part), t, mask,
         [&](const Voxels& component) { return component.ValueAt(place); },
         [&](const Voxels& component) { return this->SlopeAt(component, t, mask).gradient; });
     }
@@ -314,8 +325,8 @@ private:
   /// @param voxels  the component of the opacity
   /// @param valueOf, gradientOf  (component), at the place
   template <class Voxels, class ValueOf, class GradientOf>
-  void AddColored(const Voxels& voxels, Optical& sum, Lanes t, LaneMask mask, ValueOf valueOf,
-    GradientOf gradientOf) const
+  void AddColored(const Voxels& voxels, const MixedPart& part, Lanes t, LaneMask mask,
+    ValueOf valueOf, GradientOf gradientOf) const
   {
     const Lanes value = valueOf(voxels);
     const LaneMask absorbs = this->Absorbs(value, mask);
@@ -323,18 +334,16 @@ private:
     {
       return;
     }
-    Optical optical = Classify(this->scene.look, value);
+    Optical look = Classify(this->scene.look, value);
     if (this->scene.textures.gradientOpacityTable)
     {
-      optical.extinction = AtGradient(this->scene, optical.extinction, gradientOf(voxels));
+      look.extinction = AtGradient(this->scene, look.extinction, gradientOf(voxels));
     }
-    optical.color = this->ColorOf<Voxels>(valueOf);
-    if (this->scene.light.shading != PacketShading::None)
-    {
-      const Surface surface = this->material.SurfaceOf(gradientOf(this->ColorVoxels<Voxels>(0)));
-      optical.color = this->material.Shaded(optical.color, surface, t);
-    }
-    this->Add(sum, optical, absorbs);
+    look.color = this->ColorOf<Voxels>(valueOf);
+    const bool isLit = this->scene.light.shading != PacketShading::None;
+    const Surface surface =
+      this->material.SurfaceOf(isLit ? gradientOf(this->ColorVoxels<Voxels>(0)) : Lanes3(0.0f));
+    this->AddLit(part, look, surface, All(1.0f), t, absorbs);
   }
 
   template <class Voxels>
@@ -364,6 +373,7 @@ private:
 
   Constituent* before;
   const PacketScene& scene;
+  AllConstituents all;
   bool isOfBoxes;
   PacketRays rays; ///< in its own grid, cut to its box; Never for rays outside
   PacketWalk walk;

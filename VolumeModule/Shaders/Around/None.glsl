@@ -1,0 +1,6 @@
+// There is nothing but the volume itself, as far as its clipping planes leave it.
+
+float DepthAround(Ray ray, ShadowMarch march)
+{
+  return DepthAlong(ray, Clipped(ray, InOwnBox(ray, march.farMm)), march);
+}
