@@ -105,10 +105,17 @@ public:
     return { this->focus.x + offset(x), this->focus.y + offset(y), FloorZ };
   }
 
-  // Compares red on the floor where the cube does not cover it.
+  // Compares red on the floor where the cube does not cover it, drawn by both marchers.
   void ExpectRed(const std::function<double(glm::dvec3 place)>& truth, double tolerance)
   {
-    const std::vector<float> drawn = this->scene.DrawByProcessor();
+    this->ExpectRedIn(this->scene.DrawByProcessor(), truth, tolerance);
+    this->ExpectRedIn(this->scene.Draw(), truth, tolerance);
+    EXPECT_TRUE(this->scene.UsesShaderPart("Reach/ShadowRays.glsl"));
+  }
+
+  void ExpectRedIn(const std::vector<float>& drawn,
+    const std::function<double(glm::dvec3 place)>& truth, double tolerance)
+  {
     double least = 1.0;
     double most = 0.0;
     for (int y = 2; y < 65; y += 6)

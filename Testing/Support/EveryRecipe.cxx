@@ -220,13 +220,18 @@ std::vector<RenderSettings> RecipesOfShadows()
   recipes[5].gradientOpacity = true;
   recipes[6].functionOf = FunctionOf::TwoValues;
   recipes[7].scattering = true;
-  recipes[8].scattering = true;
-  recipes[8].shadows = false;
-  recipes[8].damping = true;
-  recipes[9].softLights = true;
+  recipes[8].softLights = true;
+  recipes[9].scattering = true;
+  recipes[9].shadows = false;
+  recipes[9].damping = true;
   recipes[10].casters = true;
   recipes[11].casters = true;
   recipes[11].softLights = true;
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    recipes.push_back(recipes[i]);
+    recipes.back().role = ShaderRole::LightPlaces;
+  }
   return recipes;
 }
 

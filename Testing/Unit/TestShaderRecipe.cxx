@@ -340,7 +340,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 259u);
+  EXPECT_EQ(distinct.size(), 268u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -115,7 +115,6 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivid
     plan.marcher = Marcher::Device;
     plan.filters8Bits = this->resources.AnyFits8Bits() && Filters8BitsExactly(frame.view.window);
     this->packets.Release(frame.view.window);
-    this->dimming.Release(frame.view.window);
   }
   plan.sampleDistanceMm =
     std::max(plan.sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
@@ -197,10 +196,7 @@ void RayMarcher::DrawImage(const Frame& frame, const MarchPlan& plan)
     return;
   }
   this->passes.Release(drawnWindow);
-  if (plan.marcher == Marcher::Processor)
-  {
-    this->dimming.Draw(frame, plan);
-  }
+  this->dimming.Draw(frame, plan);
   if (plan.mostAccumulated > 0)
   {
     this->resampled.Release(drawnWindow);

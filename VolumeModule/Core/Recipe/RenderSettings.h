@@ -103,6 +103,7 @@ enum class ShaderRole
   MarchRays,        ///< The shader marches the rays itself.
   WriteLayerDepths, ///< The shader writes where rays enter and leave layers, for the CPU's march.
   ShowMarchedImage, ///< The shader draws the image that the CPU has marched.
+  LightPlaces,      ///< The shader traces the lights from places that the CPU has found.
   DimGeometry,      ///< The shader multiplies the framebuffer by factors that the CPU has computed.
 };
 

@@ -31,7 +31,8 @@ enum class Blending
 Blending BlendingOf(const VolumeMarch& march)
 {
   const RayPass pass = march.settings.pass;
-  if (march.settings.role == ShaderRole::WriteLayerDepths)
+  if (march.settings.role == ShaderRole::WriteLayerDepths ||
+    march.settings.role == ShaderRole::LightPlaces)
   {
     return Blending::Overwrite;
   }
@@ -224,7 +225,8 @@ void BoxDrawing::SetVolumes(const VolumeMarch& march, const DrawnBlock& drawn)
 void BoxDrawing::SetParameters(
   const VolumeMarch& march, const DrawnBlock& drawn, const EarlierDrawings& earlier)
 {
-  const bool marchesRays = march.settings.role == ShaderRole::MarchRays;
+  const bool marchesRays =
+    march.settings.role == ShaderRole::MarchRays || march.settings.role == ShaderRole::LightPlaces;
   vtkVolume* const prop = march.frame.view.prop;
   this->program.SetRays(
     this->ParametersOfRays(march, drawn, earlier), this->TexturesOfRays(earlier));

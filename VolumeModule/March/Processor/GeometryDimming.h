@@ -3,13 +3,20 @@
 
 #include "March/Device/BoxDrawing.h"
 #include "March/Processor/PacketPicture.h"
+#include "Resources/FloatFramebuffer.h"
+
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <vector>
 
 namespace varimarch
 {
 
 /// Lets opaque geometry receive the shadows of a volume: before the volume is drawn, the colours of
-/// the geometry in the framebuffer are multiplied by what the volume leaves of their light. Packets
-/// of rays find it on the processor.
+/// the geometry in the framebuffer are multiplied by what the volume leaves of their light. The
+/// processor finds the places that are seen. Whoever marches the volume traces the lights from
+/// there: packets of rays or a shader.
 class GeometryDimming
 {
 public:
@@ -21,16 +28,22 @@ public:
 
   /// Draws into the current framebuffer if the frame has shadows and geometry in them, and nobody
   /// interacts: there may be as many pixels of geometry as of the volume.
-  /// @param plan  a plan of packets
   void Draw(const Frame& frame, const MarchPlan& plan);
 
-  std::size_t Bytes() const { return this->factors.Bytes(); }
-  void Release(vtkWindow* window) { this->factors.Release(window); }
+  std::size_t Bytes() const { return this->image.Bytes() + this->light.Bytes(); }
+  void Release(vtkWindow* window);
 
 private:
+  bool MayDim(const Frame& frame, const MarchPlan& plan) const;
+  std::vector<std::vector<float>> LightByPackets(
+    const Frame& frame, const MarchPlan& plan, const std::vector<glm::vec4>& places);
+  std::vector<std::vector<float>> LightByShader(const Frame& frame, const MarchPlan& plan,
+    const std::vector<glm::vec4>& places, const Box& coverGrid);
+
   SceneResources& resources;
   BoxDrawing& boxes;
-  PacketPicture factors;
+  PacketPicture image;         ///< First places, then factors.
+  FloatFramebuffer light{ 2 }; ///< The light on places, by a shader.
 };
 
 }

@@ -43,11 +43,11 @@ void PacketPicture::March(
 }
 
 void PacketPicture::Take(
-  vtkOpenGLRenderWindow* window, const std::vector<float>& rgba, const Viewport& newPixels)
+  vtkOpenGLRenderWindow* window, const std::vector<glm::vec4>& rgba, const Viewport& newPixels)
 {
   this->pixels = newPixels;
-  this->Write(
-    window, rgba.size() / 4, [&](float* texels) { std::copy(rgba.begin(), rgba.end(), texels); });
+  this->Write(window, rgba.size(),
+    [&](float* texels) { std::copy_n(&rgba.front().x, 4 * rgba.size(), texels); });
 }
 
 void PacketPicture::Write(vtkOpenGLRenderWindow* window, std::size_t newCount,

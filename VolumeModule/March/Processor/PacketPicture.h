@@ -7,6 +7,8 @@
 #include "vtkOpenGLBufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <glm/vec4.hpp>
+
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -28,9 +30,8 @@ public:
     const Viewport& newPixels);
 
   /// Takes an image that was computed in another way.
-  /// @param rgba  four numbers for each of the pixels
   void Take(
-    vtkOpenGLRenderWindow* window, const std::vector<float>& rgba, const Viewport& newPixels);
+    vtkOpenGLRenderWindow* window, const std::vector<glm::vec4>& rgba, const Viewport& newPixels);
 
   /// Premultiplied RGBA of the pixels that were marched last, row by row and image by image.
   vtkTextureObject* Texture() const { return this->texture; }
