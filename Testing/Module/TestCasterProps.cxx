@@ -1,16 +1,22 @@
 // The props that cast shadows on volumes.
 
 #include "Module/SlabUnderGeometry.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <vtkAssembly.h>
+#include <vtkCompositeDataDisplayAttributes.h>
+#include <vtkCompositePolyDataMapper2.h>
+#include <vtkDataSetMapper.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPlane.h>
 #include <vtkStripper.h>
 
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace
@@ -100,6 +106,43 @@ TEST(CasterProps, MayBePartsOfAssemblies)
   };
   EXPECT_NEAR(redAt(7.5), 0.0, 1e-5);
   EXPECT_NEAR(redAt(50.0), RedUnder({}), 1e-5);
+}
+
+TEST(CasterProps, MayHaveAMapperOfDataSets)
+{
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputConnection(Sheet(-90.0, 90.0, 20.0)->GetOutputPort());
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), 0.0, 1e-5);
+}
+
+TEST(CasterProps, MayConsistOfBlocksThatAreVisible)
+{
+  const auto left = Sheet(-90.0, 0.0, 20.0);
+  const auto right = Sheet(0.0, 90.0, 20.0);
+  left->Update();
+  right->Update();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, left->GetOutput());
+  blocks->SetBlock(1, right->GetOutput());
+  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  mapper->SetInputDataObject(blocks);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), 0.0, 1e-5);
+  attributes->SetBlockVisibility(left->GetOutput(), false);
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), 0.0, 1e-5);
+  attributes->SetBlockVisibility(right->GetOutput(), false);
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), RedUnder({}), 1e-5);
+}
+
+TEST(CasterProps, OfTooManyTrianglesAreLeftOutWithASentence)
+{
+  const auto sheet = Sheet(-90.0, 90.0, 20.0);
+  sheet->SetResolution(1100, 1000);
+  const ExpectedVtkErrors warnings;
+  EXPECT_NEAR(RedUnder({ HiddenActor(sheet) }), RedUnder({}), 1e-5);
+  EXPECT_NE(warnings.Text().find("more than 2097152 triangles"), std::string::npos)
+    << warnings.Text();
 }
 
 TEST(CasterProps, MayConsistOfStrips)

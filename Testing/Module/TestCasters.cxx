@@ -9,6 +9,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationDoubleKey.h>
 #include <vtkLight.h>
+#include <vtkPlane.h>
 #include <vtkProperty.h>
 
 #include <glm/common.hpp>
@@ -62,6 +63,21 @@ TEST(Casters, OfASheetEndAtTheirClosedForm)
     EXPECT_NEAR(right.DrawnRed(), RedBetween(depth, SlabUnderGeometry::ThicknessMm), HalfByteStep)
       << depth;
   }
+}
+
+// The upper half of the slab, above z = 4, is cut away.
+TEST(Casters, ShadeWhatClippingPlanesLeave)
+{
+  constexpr double Depth = 1.5;
+  const double edge = (20.0 - 4.0 + Depth) * TowardsSun.x / TowardsSun.z;
+  SlabUnderGeometry slab;
+  slab.AddSun();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(0.0, 0.0, 4.0);
+  plane->SetNormal(0.0, 0.0, -1.0);
+  slab.scene.mapper->AddClippingPlane(plane);
+  slab.scene.renderer->AddActor(HiddenActor(Sheet(edge, 90.0, 20.0)));
+  EXPECT_NEAR(slab.DrawnRed(), RedBetween(0.0, Depth), HalfByteStep);
 }
 
 // Floats near 200 m are a hundredth of a millimetre apart.

@@ -101,11 +101,14 @@ private:
   {
     vtkMapper* mapper = actor->GetMapper();
     const bool hasColors = mapper->GetScalarVisibility() || actor->GetTexture();
-    if (auto* const ofDataSets = vtkDataSetMapper::SafeDownCast(mapper))
+    // The inner mapper exists from the first drawing on.
+    auto* const ofDataSets = vtkDataSetMapper::SafeDownCast(mapper);
+    const bool isOfPolygons = ofDataSets && vtkPolyData::SafeDownCast(ofDataSets->GetInput());
+    if (ofDataSets && !isOfPolygons)
     {
       mapper = ofDataSets->GetPolyDataMapper();
     }
-    if (!vtkPolyDataMapper::SafeDownCast(mapper) &&
+    if (!isOfPolygons && !vtkPolyDataMapper::SafeDownCast(mapper) &&
       !(mapper && mapper->IsA("vtkCompositePolyDataMapper")))
     {
       return;
