@@ -25,7 +25,8 @@ std::vector<double> DivisionInputsOf(const Frame& frame)
   return { double(frame.device.mostMemoryBytes), double(voxels.x), double(voxels.y),
     double(voxels.z), double(frame.voxels.components.size()),
     double(frame.voxels.scalars->GetDataType()), double(frame.settings.mask != Mask::None),
-    double(pixels.width), double(pixels.height) };
+    double(frame.settings.cubic), double(frame.settings.storedGradients), double(pixels.width),
+    double(pixels.height) };
 }
 
 }
@@ -35,13 +36,14 @@ MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQua
   this->EnterWindow(frame.view.window);
   MarchPlan plan = PlanOf(frame, quality);
   this->accumulator.Begin(frame, plan);
+  const MarchPlan begun = plan;
   const std::vector<double> division = DivisionInputsOf(frame);
   this->UpdateResources(frame, plan, division);
   // Whether the memory holds the volume is known only with everything else that has to be in it.
   if (this->resources.IsInBlocks() && frame.settings.shadows && this->dividedBy != division)
   {
     this->dividedBy = division;
-    plan = PlanOf(frame, quality);
+    plan = begun;
     this->UpdateResources(frame, plan, division);
   }
   if (!this->resources.IsInBlocks())

@@ -4,6 +4,8 @@
 #include "Frame/FrameMeasures.h"
 #include "Frame/SceneFingerprint.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 
 namespace varimarch
@@ -43,6 +45,12 @@ std::vector<double> SceneInputsOf(const VolumeMarch& march)
       double(march.settings.occlusion), double(march.frame.levelRound),
       march.frame.image.windowScaleBias.x, march.frame.image.windowScaleBias.y,
       march.frame.span.firstDistanceMm });
+  // Lights and geometry stay where they are in the world when a volume moves with its view.
+  if (march.settings.shadows)
+  {
+    const glm::dmat4& world = march.frame.geometry.worldFromGrid;
+    inputs.insert(inputs.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
+  }
   return inputs;
 }
 

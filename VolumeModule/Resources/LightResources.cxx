@@ -70,7 +70,7 @@ std::vector<double> InputsOf(const VolumeMarch& march)
   const glm::dmat4& world = march.frame.geometry.worldFromGrid;
   inputs.insert(inputs.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
   inputs.insert(inputs.end(),
-    { double(march.settings.cubic), march.plan.budget.LightError(),
+    { double(march.settings.cubic), march.plan.budget.LightError(), LatticesOfALight(march),
       double(march.settings.acceleration) });
   return inputs;
 }

@@ -45,7 +45,8 @@ struct LitPlaces
     }
   }
 
-  /// Between the places at which the light is known, it is linear.
+  /// Between the places at which the light is known, it is linear. Places in opaque matter may be
+  /// closer than floats tell apart.
   void SetOthers(int lane)
   {
     int known = -1;
@@ -60,7 +61,8 @@ struct LitPlaces
       {
         const float before = known < 0 ? found : this->light[known][lane];
         const float from = this->t[known < 0 ? other : known][lane];
-        const float along = (this->t[other][lane] - from) / (this->t[place][lane] - from);
+        const float span = this->t[place][lane] - from;
+        const float along = span > 0.0f ? (this->t[other][lane] - from) / span : 1.0f;
         this->light[other][lane] = before + along * (found - before);
       }
       known = place;
