@@ -357,9 +357,9 @@ public:
    * also in assemblies and outside the view, as far as their mappers' clipping planes leave them.
    * Translucent actors, lines, points, wireframes, glyphs and widgets cast none, nor does a prop
    * with the key CASTS_SHADOWS set to 0, nor more than two million triangles. The same faces
-   * receive the shadows of a single volume: the colours that VTK has drawn are multiplied by the
-   * part of their light that is left. Depth peeling, RenderToImage, shader code of the user,
-   * shaders for volumes in blocks, and images during interaction (see MinimumImageSampleDistance)
+   * receive the shadows of volumes: the colours that VTK has drawn are multiplied by the part of
+   * their light that is left. Depth peeling, RenderToImage, shader code of the user, shaders for
+   * overlapping volumes or blocks, and images during interaction (see MinimumImageSampleDistance)
    * leave that out. VTK lets geometry cast shadows on geometry (vtkShadowMapPass).
    */
   vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);

@@ -1,5 +1,8 @@
 #include "Core/Recipe/PassRecipe.h"
 
+#include "Core/Recipe/ShaderRecipe.h"
+
+#include <algorithm>
 #include <stdexcept>
 
 namespace varimarch
@@ -168,6 +171,24 @@ std::vector<std::string> PacketParts(const RenderSettings& settings)
     parts.push_back(LocateFile(pass));
   }
   parts.push_back(MarchedFile(pass));
+  return parts;
+}
+
+// Geometry casts no shadows on itself.
+std::vector<std::string> LightPlacesParts(const RenderSettings& settings)
+{
+  RenderSettings march = settings;
+  march.role = ShaderRole::MarchRays;
+  march.pass = RayPass::Whole;
+  march.casters = false;
+  std::vector<std::string> parts = FragmentShaderParts(march);
+  const auto isOfRaysOfEye = [](const std::string& part)
+  {
+    const std::string slot = part.substr(0, part.find('/'));
+    return slot == "Resume" || slot == "Span" || slot == "Window" || part == "RayMarch.frag.glsl";
+  };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), isOfRaysOfEye), parts.end());
+  parts.insert(parts.end(), { "MarchedPixels.glsl", "LightOnPlaces.frag.glsl" });
   return parts;
 }
 

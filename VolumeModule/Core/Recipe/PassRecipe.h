@@ -27,6 +27,10 @@ std::vector<std::string> PassParts(const RenderSettings& settings);
 /// All files of a shader for rays that are marched on the CPU.
 std::vector<std::string> PacketParts(const RenderSettings& settings);
 
+/// The files of a shader that reads the volume along rays to lights only, for
+/// ShaderRole::LightPlaces.
+std::vector<std::string> LightPlacesParts(const RenderSettings& settings);
+
 }
 
 #endif

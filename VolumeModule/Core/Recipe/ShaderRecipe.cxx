@@ -347,24 +347,6 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
   return parts;
 }
 
-// A shader that reads the volume along rays to lights only. Geometry casts no shadows on itself.
-static std::vector<std::string> LightPlacesParts(const RenderSettings& settings)
-{
-  RenderSettings march = settings;
-  march.role = ShaderRole::MarchRays;
-  march.pass = RayPass::Whole;
-  march.casters = false;
-  Parts parts = FragmentShaderParts(march);
-  const auto isOfRaysOfEye = [](const std::string& part)
-  {
-    const std::string slot = part.substr(0, part.find('/'));
-    return slot == "Resume" || slot == "Span" || slot == "Window" || part == "RayMarch.frag.glsl";
-  };
-  parts.erase(std::remove_if(parts.begin(), parts.end(), isOfRaysOfEye), parts.end());
-  parts.insert(parts.end(), { "MarchedPixels.glsl", "LightOnPlaces.frag.glsl" });
-  return parts;
-}
-
 std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
 {
   if (settings.role == ShaderRole::LightPlaces)
