@@ -137,6 +137,17 @@ TEST(LightOfBoxes, KeepsTheErrorToleranceWithShadows)
   }
 }
 
+TEST(LightOfBoxes, KeepsTheErrorToleranceWhereMatterScattersIt)
+{
+  LitTorso torso(8);
+  torso.RemoveLabels();
+  torso.UseBoxes();
+  torso.scene.mapper->ShadowsOn();
+  torso.scene.mapper->SetVolumetricScatteringBlending(0.5);
+  torso.scene.mapper->SetScatteringAnisotropy(0.3);
+  EXPECT_LT(torso.ErrorOf(LookOfBoxes(torso.scene)).percentile999, 255.0 * UsualTolerance);
+}
+
 TEST(LightOfBoxes, KeepsTheErrorToleranceWithOcclusion)
 {
   LitTorso torso(5);

@@ -120,8 +120,8 @@ public:
     }
   }
 
-  /// The matter that rays of a column meet in a slab. The outermost blocks may be cut, so that rays through
-  /// them need not meet anything.
+  /// The matter that rays of a column meet in a slab. The outermost blocks may be cut, so that rays
+  /// through them need not meet anything.
   Matter MatterIn(int slab, const glm::ivec2& column) const
   {
     const Blocks blocks = this->BlocksOf(slab, column);
