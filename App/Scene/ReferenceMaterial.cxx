@@ -23,6 +23,11 @@ namespace
 // The quadrature needs finite numbers. A hundredth of a micrometre of such a material is opaque.
 constexpr double MostExtinction = 1e6;
 
+glm::dvec3 NearestVoxel(glm::dvec3 position, glm::ivec3 dimensions)
+{
+  return glm::clamp(glm::floor(position + 0.5), glm::dvec3(0.0), glm::dvec3(dimensions - 1));
+}
+
 struct Samples
 {
   std::function<double(glm::dvec3)> value;
@@ -56,8 +61,8 @@ Samples SamplesOf(const ReferenceRequest& request, const Scalar* voxels)
     return { [grid](glm::dvec3 position) { return grid.Value(position); },
       [grid](glm::dvec3 position) { return grid.Gradient(position); } };
   }
-  const auto nearest = [last = glm::dvec3(request.geometry.dimensions - 1)](glm::dvec3 position)
-  { return glm::clamp(glm::floor(position + 0.5), glm::dvec3(0.0), last); };
+  const auto nearest = [size = request.geometry.dimensions](glm::dvec3 position)
+  { return NearestVoxel(position, size); };
   return { [grid, nearest](glm::dvec3 position) { return grid.Value(nearest(position)); },
     [grid, nearest](glm::dvec3 position) { return grid.Gradient(nearest(position)); } };
 }
@@ -157,7 +162,14 @@ glm::dvec3 ReferenceMaterial::Emitted(
   return this->request.occlusion.strength > 0.0 ? this->KeptAt(gradient, positionGrid) * lit : lit;
 }
 
-// The part of its light that a place keeps under ambient occlusion.
+glm::dvec3 ReferenceMaterial::MiddleOf(glm::dvec3 positionGrid) const
+{
+  return this->request.interpolation == Interpolation::Nearest
+    ? NearestVoxel(positionGrid, this->request.geometry.dimensions)
+    : positionGrid;
+}
+
+// The part of its light that a place keeps under ambient occlusion. A box has that of its middle.
 double ReferenceMaterial::KeptAt(glm::dvec3 gradient, glm::dvec3 positionGrid) const
 {
   const double value = this->value(positionGrid);
@@ -166,8 +178,8 @@ double ReferenceMaterial::KeptAt(glm::dvec3 gradient, glm::dvec3 positionGrid) c
   const bool isThinnerUp = this->Unlit(value + perVoxel, perMm).extinction <
     this->Unlit(value - perVoxel, perMm).extinction;
   const SkyVisibility sky(*this->transmittance, this->request.occlusion.reachMm);
-  return KeptLight(
-    sky.At(OutsideOf(positionGrid, gradient, isThinnerUp)), this->request.occlusion.strength);
+  return KeptLight(sky.At(OutsideOf(this->MiddleOf(positionGrid), gradient, isThinnerUp)),
+    this->request.occlusion.strength);
 }
 
 glm::dvec3 ReferenceMaterial::Lit(

@@ -36,6 +36,7 @@ private:
   glm::dvec3 Lit(
     glm::dvec3 rgb, glm::dvec3 gradient, glm::dvec3 positionGrid, const Ray& rayGrid) const;
   double KeptAt(glm::dvec3 gradient, glm::dvec3 positionGrid) const;
+  glm::dvec3 MiddleOf(glm::dvec3 positionGrid) const;
 
   const ReferenceRequest& request;
   std::shared_ptr<const LightTransmittance> transmittance;

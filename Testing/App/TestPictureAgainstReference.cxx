@@ -254,6 +254,17 @@ TEST(PictureAgainstReference, ScatteredLightConvergesToTheIntegral)
   EXPECT_LT(ErrorOf(scene, image, 1e-4).rootMeanSquare, 0.2);
 }
 
+// A box keeps one part of its light, that of its middle, which rays through boxes find exactly.
+TEST(PictureAgainstReference, AmbientOcclusionOfBoxesIsExact)
+{
+  Scene scene = SceneOf(Blend::Composite, true);
+  scene.size = { 4, 4 };
+  scene.render.interpolation = Interpolation::Nearest;
+  scene.occlusion = { 0.6, 3.0 };
+  const auto image = ProceduralVolume({ ProceduralKind::MarschnerLobb, { 8, 8, 8 } });
+  EXPECT_LT(ErrorOf(scene, image, 1e-3).rootMeanSquare, 0.3);
+}
+
 // The reference traces 32 rays from every place at which it asks for the colour, so that the image
 // is small and its tolerance a quarter of a level.
 TEST(PictureAgainstReference, AmbientOcclusionOfLitAndOfUnlitMatterConvergesToTheIntegral)

@@ -210,8 +210,8 @@ LEFT_TO_SHADERS = set(
     """Blend/ComponentAdditive Blend/ComponentAverage Blend/ComponentExtreme
     Gradient/ClippedDifferences Gradient/Stored March/FirstHit March/MaterialFromBehind
     March/MidpointFromBehind March/PublishedSum March/Simpson March/Slice March/VoxelSurfaces
-    Material/TwoValues Probe/FetchCount Sample/Texel Step/CellField Step/VariationField
-    Values/Two""".split()
+    Material/TwoValues Probe/FetchCount Sample/Texel Step/CellField
+    Step/VariationField Values/Two""".split()
 )
 
 

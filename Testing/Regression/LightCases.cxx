@@ -247,9 +247,6 @@ std::vector<RegressionCase> LightCases()
   RegressionCase softShadows{ "SoftShadows",
     [] { return OfBallOverPlate(SoftShadows, MaterialInOwnShadows); } };
   softShadows.refusal = "without a graphics card OpenGL ends the short segments of rays to lights";
-  RegressionCase occlusion{ "AmbientOcclusion",
-    [] { return OfBallOverPlate(AmbientOcclusion, OccludedMaterial); } };
-  occlusion.refusal = "has no ambient occlusion";
   return {
     TorsoCase("HeadLight", HeadLight),
     MaterialCase("SeveralLights", SeveralLights, MaterialInLights),
@@ -261,7 +258,7 @@ std::vector<RegressionCase> LightCases()
     { "ShadowsOfALamp", [] { return InShadows(PositionalLight); } },
     { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); } },
     softShadows,
-    occlusion,
+    { "AmbientOcclusion", [] { return OfBallOverPlate(AmbientOcclusion, OccludedMaterial); } },
     MaterialCase("Scattering", ScatteringMatter, MaterialInLights),
     MaterialCase("Damping", Damping, DampedMaterial),
     MaterialCase("GradientOpacity", GradientOpacity, MixtureOf),

@@ -1,6 +1,7 @@
 #include "Support/EveryRecipe.h"
 
 #include "Core/Recipe/MaterialRecipe.h"
+#include "Support/LightRecipes.h"
 #include "Support/RecipesOfVolumes.h"
 
 #include <utility>
@@ -202,39 +203,6 @@ std::vector<RenderSettings> RecipesOfMaterials()
   return recipes;
 }
 
-std::vector<RenderSettings> RecipesOfShadows()
-{
-  RenderSettings plain;
-  plain.shading = true;
-  plain.lights = true;
-  plain.shadows = true;
-  std::vector<RenderSettings> recipes(12, plain);
-  recipes[0].acceleration = Acceleration::Off;
-  recipes[1].skipsBricks = false;
-  recipes[2].nearest = true;
-  recipes[3].cubic = true;
-  recipes[4].clipping = true;
-  recipes[4].cropping = true;
-  recipes[4].gaps = true;
-  recipes[5].mask = Mask::Labels;
-  recipes[5].gradientOpacity = true;
-  recipes[6].functionOf = FunctionOf::TwoValues;
-  recipes[7].scattering = true;
-  recipes[8].softLights = true;
-  recipes[9].scattering = true;
-  recipes[9].shadows = false;
-  recipes[9].damping = true;
-  recipes[10].casters = true;
-  recipes[11].casters = true;
-  recipes[11].softLights = true;
-  for (std::size_t i = 0; i < 9; ++i)
-  {
-    recipes.push_back(recipes[i]);
-    recipes.back().role = ShaderRole::LightPlaces;
-  }
-  return recipes;
-}
-
 std::vector<RenderSettings> RecipesOfLinearMaterials()
 {
   std::vector<RenderSettings> recipes;
@@ -327,9 +295,9 @@ std::vector<RenderSettings> EveryRecipe()
   std::vector<RenderSettings> recipes = { counting };
   for (const std::vector<RenderSettings>& others :
     { RecipesOfMaterials(), RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(),
-      RecipesInBlocks(), RecipesOfPictures(), RecipesOfShadows(), RecipesOfSplines(),
-      RecipesWithCuts(), RecipesOfSeveralVolumes(), RecipesOfVolumesInLight(), RecipesFromBehind(),
-      RecipesWithStoredGradients(), ExactRecipes() })
+      RecipesInBlocks(), RecipesOfPictures(), RecipesOfShadows(), RecipesOfOcclusion(),
+      RecipesOfSplines(), RecipesWithCuts(), RecipesOfSeveralVolumes(), RecipesOfVolumesInLight(),
+      RecipesFromBehind(), RecipesWithStoredGradients(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

@@ -1,5 +1,8 @@
 // Formulas of the shaders, compiled as C++ and compared with double precision.
 
+#include "Core/Fields/LightLattice.h"
+#include "Core/Reference/SkyVisibility.h"
+
 #include <glm/glm.hpp>
 
 #include <gtest/gtest.h>
@@ -9,6 +12,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+
+using namespace varimarch;
 
 namespace glsl
 {
@@ -22,6 +27,7 @@ using namespace glm;
 #include "Shaders/Math/Gradients.glsl"
 #include "Shaders/Math/IntersectBox.glsl"
 #include "Shaders/Math/LatticeWalk.glsl"
+#include "Shaders/Math/OpenSky.glsl"
 #include "Shaders/Math/Planes.glsl"
 #include "Shaders/Math/PreIntegration.glsl"
 #include "Shaders/Math/StepGrowth.glsl"
@@ -326,4 +332,33 @@ TEST(LabelMixture, MixesTheOpacitiesOfAUnitDistance)
   const double opacity = 0.75 * -std::expm1(-0.2 * 5.0) + 0.25 * -std::expm1(-2.0 * 5.0);
   EXPECT_NEAR(glsl::MixedExtinction(0.2f, 2.0f, 0.25f, 5.0f), -std::log1p(-opacity) / 5.0, 1e-6);
   EXPECT_LT(glsl::MixedExtinction(1e30f, 1e30f, 0.5f, 1.0f), 100.0f);
+}
+
+TEST(OpenSky, IsSeenFromWhereTheReferenceSeesIt)
+{
+  const glm::dvec3 place(3.0, 4.0, 5.0);
+  for (const glm::dvec3 gradient : { glm::dvec3(0.3, -0.2, 0.7), glm::dvec3(-90.0, 2.0, 0.0) })
+  {
+    for (const bool isThinnerUp : { false, true })
+    {
+      const glm::dvec3 way(glsl::WayOutside(
+        glm::vec3(gradient), isThinnerUp ? 0.5f : 1.0f, isThinnerUp ? 1.0f : 0.5f));
+      EXPECT_LT(glm::length(place + way - OutsideOf(place, gradient, isThinnerUp)), 1e-5);
+      EXPECT_NEAR(glm::length(way), LightLattice::SkyDistanceVoxels, 1e-5);
+    }
+  }
+  EXPECT_EQ(glsl::WayOutside(glm::vec3(0.0f), 1.0f, 0.0f), glm::vec3(0.0f));
+  EXPECT_FLOAT_EQ(glsl::ChangePerVoxel(glm::vec3(0.0f, 6.0f, 8.0f)), 5.0f);
+}
+
+TEST(OpenSky, LeavesTheLightThatTheReferenceKeeps)
+{
+  for (const double visible : { 0.0, 0.2, 1.0 })
+  {
+    for (const double strength : { 0.1, 1.0 })
+    {
+      EXPECT_NEAR(
+        glsl::KeptLight(float(visible), float(strength)), KeptLight(visible, strength), 1e-6);
+    }
+  }
 }

@@ -54,7 +54,7 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(Changed(growing), Parts{ "Step/Growing.glsl" });
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, true, false }),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
-      "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl",
+      "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl", "Sky/None.glsl",
       "March/MaterialMidpoint.glsl" }));
   EXPECT_EQ(
     Parts(Changed({ Blend::Composite, Acceleration::Off, true, false, Integration::PreIntegrated }))
@@ -65,12 +65,13 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
   EXPECT_EQ(Changed(lit),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/Lights.glsl", "GradientOpacity/None.glsl",
       "Values/One.glsl", "Material/OneComponent.glsl", "Reach/None.glsl", "Scatter/None.glsl",
-      "Damping/None.glsl", "March/MaterialMidpoint.glsl" }));
+      "Damping/None.glsl", "Sky/None.glsl", "March/MaterialMidpoint.glsl" }));
   RenderSettings gradient = plain;
   gradient.gradientOpacity = true;
   EXPECT_EQ(Changed(gradient),
     (Parts{ "Gradient/CentralDifferences.glsl", "Shade/None.glsl", "GradientOpacity/Table.glsl",
-      "Values/One.glsl", "Material/OneComponent.glsl", "March/MaterialMidpoint.glsl" }));
+      "Values/One.glsl", "Material/OneComponent.glsl", "Sky/None.glsl",
+      "March/MaterialMidpoint.glsl" }));
   EXPECT_EQ(Changed({ Blend::Composite, Acceleration::Off, false, true }),
     Parts{ "Depth/SceneGeometry.glsl" });
   RenderSettings counting = plain;
@@ -137,6 +138,40 @@ TEST(ShaderRecipe, CastersTakeNothingWithoutShadows)
   EXPECT_FALSE(has(Changed(lit), "Casters/Triangles.glsl"));
   lit.shadows = true;
   EXPECT_TRUE(has(Changed(lit), "Casters/Triangles.glsl"));
+}
+
+TEST(ShaderRecipe, AmbientOcclusionIsAFileOfItsSlotWithRaysThroughTheVolume)
+{
+  const auto partsOf = [](const RenderSettings& settings)
+  {
+    const Parts wanted = { "Gradient/", "Through/", "Outside/", "Sky/" };
+    Parts found;
+    for (const std::string& part : FragmentShaderParts(settings))
+    {
+      const std::string slot = part.substr(0, part.find('/') + 1);
+      if (std::count(wanted.begin(), wanted.end(), slot) > 0)
+      {
+        found.push_back(part);
+      }
+    }
+    return found;
+  };
+  RenderSettings settings = plain;
+  EXPECT_EQ(partsOf(settings), Parts());
+  settings.occlusion = true;
+  EXPECT_EQ(partsOf(settings),
+    (Parts{ "Gradient/CentralDifferences.glsl", "Through/Segments.glsl", "Outside/Scalars.glsl",
+      "Sky/OpenSky.glsl" }));
+  settings.functionOf = FunctionOf::TwoValues;
+  EXPECT_EQ(partsOf(settings).front(), "Gradient/CentralDifferences.glsl");
+  settings.functionOf = FunctionOf::Value;
+  settings.nearest = true;
+  EXPECT_EQ(partsOf(settings)[1], "Through/Voxels.glsl");
+  settings.uneven = true;
+  EXPECT_EQ(partsOf(settings)[1], "Through/Segments.glsl");
+  settings.mask = Mask::Labels;
+  settings.labelSurfaces = true;
+  EXPECT_EQ(partsOf(settings)[2], "Outside/Labels.glsl");
 }
 
 TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
@@ -340,7 +375,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 268u);
+  EXPECT_EQ(distinct.size(), 277u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

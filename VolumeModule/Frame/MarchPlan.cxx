@@ -11,7 +11,9 @@ namespace
 
 void TakePlan(const MarchPlan& plan, RenderSettings& settings)
 {
-  const bool mayOcclude = plan.marcher == Marcher::Processor && !plan.isInteractive;
+  const bool isWhole = plan.pass != RayPass::Block && !settings.overlaps;
+  const bool mayOcclude =
+    (plan.marcher == Marcher::Processor || isWhole) && plan.isLit && !plan.isInteractive;
   settings.shading = settings.shading && plan.isLit;
   settings.occlusion = settings.occlusion && mayOcclude;
   settings.occludesOthers = settings.occludesOthers && mayOcclude;

@@ -150,8 +150,9 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
     settings.componentCount, property->GetIndependentComponents() != 0);
   settings.functionOf = FunctionOfMapper(mapper, property, settings);
   settings.mask = MaskOf(mapper, settings);
+  const bool hasLight = property->GetShade() != 0 || mapper->GetAmbientOcclusion() > 0.0;
   settings.labelSurfaces =
-    settings.mask == Mask::Labels && property->GetShade() != 0 && mapper->GetLabelSurfaces() != 0;
+    settings.mask == Mask::Labels && hasLight && mapper->GetLabelSurfaces() != 0;
   settings.gradientOpacity = HasGradientOpacity(property, settings);
   settings.storedGradients =
     mapper->GetStoredGradients() != 0 && settings.components == Components::One;

@@ -41,8 +41,10 @@ std::string LightWarnings(const RayMarcher& marcher)
   }
   if (marcher.LeavesOutOcclusion())
   {
-    warnings += "The volume has no ambient occlusion: packets of rays on the processor draw it "
-                "(ProcessorMarching), but not in volumes with gaps. ";
+    warnings +=
+      "The volume has no ambient occlusion, because it overlaps others or does not fit into the "
+      "graphics memory at once, and packets of rays on the processor (ProcessorMarching) do not "
+      "draw this scene. ";
   }
   if (marcher.LeavesOutCasters())
   {
@@ -55,6 +57,13 @@ std::string LightWarnings(const RayMarcher& marcher)
     warnings += "The shadows may be wrong by any amount: without a graphics card OpenGL ends the "
                 "short segments of rays to lights that the sample distance asks for. Let the "
                 "processor march (ProcessorMarching), or switch the shadows off. ";
+  }
+  if (marcher.Tolerance() && marcher.HasFewSkyPlaces())
+  {
+    warnings += "The ambient occlusion behind translucent matter may be wrong by any amount: "
+                "without a graphics card OpenGL ends the rays to all sides before all of their "
+                "places have them. Let the processor march (ProcessorMarching), shorten the reach, "
+                "or switch the occlusion off. ";
   }
   return warnings;
 }

@@ -6,6 +6,7 @@
 #include "March/Processor/PacketCapability.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/RayParametersBuilder.h"
+#include "March/SkyParameters.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -81,9 +82,12 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
   this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
-  this->leavesOutOcclusion = IsInWayOfSky(frame.settings) && plan.marcher == Marcher::Device;
+  this->leavesOutOcclusion = IsInWayOfSky(frame.settings) && plan.marcher == Marcher::Device &&
+    (frame.settings.overlaps || this->resources.IsInBlocks());
   this->leavesOutCasters = frame.casters.areTooMany;
   this->hasLongShadowSteps = varimarch::HasLongShadowSteps(MarchOf(frame, plan));
+  this->hasFewSkyPlaces =
+    varimarch::HasFewSkyPlaces(MarchOf(frame, plan), this->resources.First().Light().Sky());
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
 }
@@ -119,7 +123,7 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivid
     this->packets.Release(frame.view.window);
   }
   plan.sampleDistanceMm =
-    std::max(plan.sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
+    std::max(plan.sampleDistanceMm, ShortestDistanceWithSkyMm(frame, plan.marcher));
 }
 
 void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan) const
@@ -130,7 +134,7 @@ void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan) const
       this->commonSteps->isPreIntegrated ? Integration::PreIntegrated : Integration::Midpoint;
   }
   plan.sampleDistanceMm =
-    std::max(this->commonSteps->sampleDistanceMm, ShortestSampleDistanceMm(frame, plan.marcher));
+    std::max(this->commonSteps->sampleDistanceMm, ShortestDistanceWithSkyMm(frame, plan.marcher));
 }
 
 // If there is a tolerance, the steps that keep it replace the requested ones.
@@ -166,7 +170,7 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
   plan.integration = this->tolerance.Choice()->integration;
   // Shaders that count fetches may draw with steps that were found with packets.
   plan.sampleDistanceMm = std::max(
-    this->tolerance.SampleDistanceInViewMm(), ShortestSampleDistanceMm(frame, plan.marcher));
+    this->tolerance.SampleDistanceInViewMm(), ShortestDistanceWithSkyMm(frame, plan.marcher));
 }
 
 ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const

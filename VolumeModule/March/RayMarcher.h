@@ -77,7 +77,8 @@ public:
   /// True if shadows are requested, but left out because a shader sees one block at a time and
   /// packets of rays cannot march.
   bool LeavesOutShadows() const { return this->leavesOutShadows; }
-  /// True if ambient occlusion is requested, but left out because shaders march.
+  /// True if ambient occlusion is requested, but left out because a shader sees one block at a
+  /// time.
   bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
   /// The memory of the lattices of light, of which only pages that are used are taken.
   std::size_t LightBytes() const { return this->resources.LightBytes(); }
@@ -86,10 +87,13 @@ public:
   bool LeavesOutCasters() const { return this->leavesOutCasters; }
   /// See the function of this name.
   bool HasLongShadowSteps() const { return this->hasLongShadowSteps; }
+  /// See the function of this name.
+  bool HasFewSkyPlaces() const { return this->hasFewSkyPlaces; }
   /// True if the image may be wrong by any amount, which no trial image shows.
   bool HasUnknownError() const
   {
-    return this->MissesCurve() || this->MergesValues() || this->HasLongShadowSteps();
+    return this->MissesCurve() || this->MergesValues() || this->HasLongShadowSteps() ||
+      this->HasFewSkyPlaces();
   }
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
@@ -129,6 +133,7 @@ private:
   bool leavesOutOcclusion = false;
   bool leavesOutCasters = false;
   bool hasLongShadowSteps = false;
+  bool hasFewSkyPlaces = false;
 };
 
 }

@@ -4,6 +4,7 @@
 #include "Frame/FrameMeasures.h"
 #include "Frame/Lights.h"
 #include "March/Processor/SoftwareRasterizer.h"
+#include "March/SkyParameters.h"
 #include "Resources/BlueNoiseTexture.h"
 
 #include "vtkCamera.h"
@@ -107,7 +108,6 @@ double WantedShadowStepMm(const VolumeMarch& march)
   return step < spacing ? std::sqrt(step * spacing) : step;
 }
 
-// A software rasteriser ends a shader, and with it the ray, after 2^16 iterations of all its loops.
 bool IsEndedByRasterizer(const VolumeMarch& march)
 {
   return IsInWayOfLights(march.settings) && march.plan.marcher == Marcher::Device &&
@@ -121,10 +121,10 @@ double ShortestShadowStepMm(const VolumeMarch& march)
   {
     return 0.0;
   }
-  constexpr double MostIterations = 1 << 16;
   constexpr double IterationsPerSegment = 2.0;
   const double rays = RaysToLights(LightTexelsOf(march.frame.view.renderer));
-  return LongestRayMm(march.frame) * std::sqrt(IterationsPerSegment * rays / MostIterations);
+  return LongestRayMm(march.frame) *
+    std::sqrt(IterationsPerSegment * rays / MostIterationsOfLight(march.settings));
 }
 
 }

@@ -6,6 +6,7 @@
 #include "Core/Recipe/MaterialRecipe.h"
 #include "Frame/FrameMeasures.h"
 #include "Frame/PropertyTransferFunction.h"
+#include "March/SkyParameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +122,7 @@ StepRange RangeOf(const VolumeMarch& march)
     std::min({ CoarsestVoxels * voxelMm, LongestRayMm(march.frame) / FewestSamples, acrossMm });
   // The search also draws at half of the finest distance.
   const double finestMm = std::max(
-    FinestVoxels * voxelMm, 2.0 * ShortestSampleDistanceMm(march.frame, march.plan.marcher));
+    FinestVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
   return { coarsestMm, std::min(finestMm, coarsestMm) };
 }
 
@@ -212,7 +213,8 @@ const std::vector<float>& ToleranceSearch::Trial::Draw(
 const std::vector<float>& ToleranceSearch::Trial::DrawUnlit(
   Integration integration, double sampleDistanceMm)
 {
-  return this->DrawOnce(!this->march.settings.shading, integration, sampleDistanceMm);
+  const bool hasLight = this->march.settings.shading || this->march.settings.occlusion;
+  return this->DrawOnce(!hasLight, integration, sampleDistanceMm);
 }
 
 std::vector<float> ToleranceSearch::Trial::DrawWithSmallTable(double sampleDistanceMm)

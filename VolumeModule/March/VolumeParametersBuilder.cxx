@@ -2,6 +2,7 @@
 
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/MaterialParameters.h"
+#include "March/SkyParameters.h"
 
 #include "vtkVolumeProperty.h"
 
@@ -137,6 +138,7 @@ VolumeParameters VolumeParametersOf(
     SetExtreme(p, march, volume, mappings.front());
   }
   SetProjection(p, march, volume, mappings);
+  SetSky(p, march, volume.Light().Sky());
   SetGaps(p, march, marched.gapCells);
   SetMask(p, march, volume);
   SetSpacing(p, march, volume.SpacingBins());

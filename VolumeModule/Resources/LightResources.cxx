@@ -85,10 +85,11 @@ void LightResources::Update(const VolumeMarch& march, const MaterialResources& m
   if (march.plan.marcher == Marcher::Processor)
   {
     this->UpdateShadows(march, materials, now);
-    this->UpdateSky(march, now);
-    // While a user interacts, images have no occlusion, but its nodes stay for the still image.
-    this->sky = IsInWayOfSky(march.settings) ? this->sky : PacketSky();
   }
+  this->UpdateSky(march, now);
+  // While a user interacts, images have no occlusion, but its nodes stay for the still image.
+  this->sky = IsInWayOfSky(march.settings) ? this->sky : PacketSky();
+  this->UpdateDirections(march);
   this->kept = std::move(now);
 }
 
@@ -167,7 +168,8 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   }
   this->sky.stepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * voxelMm);
   this->sky.mostDepth = float(-std::log(error));
-  if (!march.frame.settings.occlusion || march.plan.budget.LightError() < SkyCellError)
+  if (march.plan.marcher == Marcher::Device || !march.frame.settings.occlusion ||
+    march.plan.budget.LightError() < SkyCellError)
   {
     return;
   }
@@ -177,6 +179,23 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   inputs.insert(inputs.end(), { strength, march.frame.material.occlusionReachMm });
   inputs.insert(inputs.end(), march.frame.occluders.begin(), march.frame.occluders.end());
   this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape, now);
+}
+
+void LightResources::UpdateDirections(const VolumeMarch& march)
+{
+  std::vector<glm::vec4> texels;
+  if (march.plan.marcher == Marcher::Device && march.settings.occlusion)
+  {
+    texels.assign(this->sky.directions, this->sky.directions + SphereDirections);
+  }
+  this->directions.Set(march.frame.view.window, std::move(texels));
+  this->directions.Update(march.frame.view.window, march.plan.marcher);
+}
+
+void LightResources::Release(vtkWindow* window)
+{
+  this->kept.clear();
+  this->directions.Release(window);
 }
 
 // The nodes of a lattice that is kept, or of an empty one.

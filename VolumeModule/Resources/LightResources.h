@@ -4,6 +4,7 @@
 #include "Core/Fields/LightLattice.h"
 #include "Core/Packets/PacketScene.h"
 #include "Frame/MarchPlan.h"
+#include "Resources/FloatTable.h"
 #include "Resources/MaterialResources.h"
 
 #include <cstddef>
@@ -32,13 +33,17 @@ public:
   /// The lattice, and how exactly ambient occlusion is computed.
   const PacketSky& Sky() const { return this->sky; }
 
+  /// The directions of ambient occlusion.
+  MarchTexture SkyDirections() const { return this->directions.Texture(); }
+  std::size_t GraphicsBytes() const { return this->directions.Bytes(); }
+
   /// The memory of all lattices, of which only pages that are used are taken from the system.
   std::size_t Bytes() const;
 
   /// How many lattices were begun.
   int Builds() const { return this->builds; }
 
-  void Release() { this->kept.clear(); }
+  void Release(vtkWindow* window);
 
 private:
   /// The lattice of a light.
@@ -52,6 +57,7 @@ private:
     const VolumeMarch& march, const MaterialResources& materials, std::vector<Kept>& now);
   void KeepLattices(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
+  void UpdateDirections(const VolumeMarch& march);
   std::uint8_t* KeepNodes(
     std::vector<double> inputs, const LatticeShape& shape, std::vector<Kept>& now);
 
@@ -59,6 +65,7 @@ private:
   int builds = 0;
   std::vector<PacketShadows> shadows = { {} }; ///< The lattices of each material.
   PacketSky sky = {};
+  FloatTable directions; ///< Table that shaders read; empty without ambient occlusion.
 };
 
 }

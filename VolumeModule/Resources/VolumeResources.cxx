@@ -156,6 +156,7 @@ VolumeTextures VolumeResources::Textures(
   textures.gapTexture.inMemory = this->packets.GapTexels();
   textures.maskTexture = this->mask.Texture();
   textures.spacingTable = this->spacing.Texture();
+  textures.skyDirections = this->light.SkyDirections();
   if (block)
   {
     const bool isOfValues = IsOfValues(settings.acceleration);
@@ -183,7 +184,7 @@ std::size_t VolumeResources::Bytes() const
 std::size_t VolumeResources::BytesBesideBlocks() const
 {
   return this->materials.Bytes() + this->fields.Bytes() + this->mask.Bytes() +
-    this->clippingPlanes.Bytes() + this->spacing.Bytes();
+    this->light.GraphicsBytes() + this->clippingPlanes.Bytes() + this->spacing.Bytes();
 }
 
 void VolumeResources::Release(vtkWindow* window)
@@ -192,7 +193,7 @@ void VolumeResources::Release(vtkWindow* window)
   this->fields.Release(window);
   this->materials.Release(window);
   this->packets.Release();
-  this->light.Release();
+  this->light.Release(window);
   this->mask.Release(window);
   this->clippingPlanes.Release(window);
   this->spacing.Release(window);

@@ -49,6 +49,12 @@ layout(std140) uniform VolumeParameters
   float anisotropy;       // mean cosine of the angle by which it turns light, inside (-1, 1)
   float surfacesInShadow; // part of what matter takes from a light that surfaces lack, [0, 1]
   float shadowReachMm;    // distance beyond which matter casts no shadow [mm]
+  float skyStrength;      // strength of ambient occlusion, (0, 1]; 0 without it
+  float skyReachMm;       // distance beyond which matter does not occlude [mm]
+  float skyStepMm;        // longest segment of rays to all sides [mm]
+  float skyMostDepth;     // optical depth beyond which these rays let nothing through
+  float skyPlacesMm;      // distance of such places along a ray, a multiple of stepMm [mm]
+  int mostSkyPlaces;      // places of a ray with such rays; others keep the light of the last one
   vec4 reflectances[4];   // coefficients of ambient, diffuse and specular light, specular power
 
   // The mixture, and lights that are not at the eye.

@@ -7,7 +7,7 @@
 //
 // Texels and scalars are texture values, to which tables and thresholds are scaled.
 
-int labelRow; // row of the mask's label on this part of the ray, in tables; 0 without a label
+int labelRow = 0; // row of the mask's label on this part of the ray, in tables; 0 without a label
 
 vec3 PositionGrid(Ray ray, float t)
 {
@@ -88,6 +88,9 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t);
 // --- Through: what the volume absorbs along a ray that begins anywhere. Only for Around ---
 // The optical depth of a part of a ray. It may change labelRow.
 float DepthAlong(Ray ray, Interval inside, ShadowMarch march);
+// The same for a ray of a few segments, which does not look for invisible bricks: it takes several
+// segments in each iteration of its loop, because llvmpipe bounds the iterations of a shader.
+float DepthNear(Ray ray, Interval inside, ShadowMarch march);
 
 // --- Around: what lies around a place. Only for Reach and Sky ---
 // The optical depth of everything from the origin of a ray on. It may change labelRow.
@@ -153,6 +156,10 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //   vec3 LitLabel(vec3 color, vec3 gradient, Ray ray, float t);
 //     The color after lighting, for a gradient of the scalars.
 
+// The gradient of the part of space that the row's label fills, per voxel; 0 inside of it. Only
+// LabelLight/Labels.glsl defines it.
+vec3 GradientOfLabel(vec3 positionGrid);
+
 // --- Values: what the material at a point depends on ---
 // Defines struct Values, which is read at every sample, and struct Gradients, which is read only
 // where a sample absorbs light. Both can be taken as linear along a short segment.
@@ -161,6 +168,8 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //   Values Between(Values start, Values end, float along);
 //   Gradients Between(Gradients start, Gradients end, float along);
 //     Linear interpolation, with `along` in [0,1].
+//   Values WithAdded(Values values, float scalar);
+//     The values with a number added to the first scalar. Only for Sky/OpenSky.glsl.
 //   bool MayAbsorb(Values start, Values end);
 //     True if any value between the two may absorb light.
 
@@ -175,6 +184,19 @@ float AtGradient(float extinction, vec3 gradient, int component);
 //     The colour after lighting, not premultiplied, and the extinction [1/mm].
 //   float MaterialExtinction(Values values, Gradients gradients);
 //     The extinction alone [1/mm].
+
+// --- Outside: the place from which a surface sees what is around it. Only for Sky/OpenSky.glsl ---
+// Defines:
+//   vec3 OwnWayOutside(vec3 wayOfScalars, Gradients gradients, vec3 positionGrid);
+//     The way from a position to this place [grid], 0 where there is no surface; wayOfScalars is
+//     that out of a surface where scalars change.
+
+// --- Sky: light from all around, as far as matter lets it through. Only for materials ---
+// Defines:
+//   float KeptOf(Values values, Gradients gradients, vec3 positionGrid);
+//     The part of its light that a position keeps, [0,1].
+//   float KeptAt(Ray ray, float t);
+//     The same at t. Along a ray, t should ascend: segments shorter than skyPlacesMm share a place.
 
 // --- Gaps: see also Slots.glsl ---
 // True if the volume has a value at this position.

@@ -12,5 +12,6 @@ uniform sampler2D preIntegratedTable; // means between two scalars
 uniform samplerBuffer twoValueTable;  // (r, g, b, opacity over a unit distance), x fastest
 uniform samplerBuffer gradientOpacityTable; // factors of opacity of four components, [0, 1]
 uniform samplerBuffer lightTexels;          // five for each light that is not at the eye
+uniform samplerBuffer skyDirections;        // (direction in the grid [1/mm], weight)
 uniform samplerBuffer isosurfaces;          // two each: (r, g, b, optical depth), (isovalue)
 uniform samplerBuffer spacingTable;         // bins of all axes, see Spacing/Uneven.glsl

@@ -54,6 +54,7 @@ inline Lanes Absorption(Lanes depth)
 #include "Shaders/Math/Gradients.glsl"
 #include "Shaders/Math/HenyeyGreenstein.glsl"
 #include "Shaders/Math/LightCone.glsl"
+#include "Shaders/Math/OpenSky.glsl"
 #include "Shaders/Math/Planes.glsl"
 #include "Shaders/Math/PreIntegration.glsl"
 #include "Shaders/Math/RayTriangle.glsl"

@@ -74,6 +74,16 @@ std::vector<std::string> LightParts(const RenderSettings& settings)
   return parts;
 }
 
+std::vector<std::string> SkyParts(const RenderSettings& settings)
+{
+  if (!settings.occlusion)
+  {
+    return { "Sky/None.glsl" };
+  }
+  return { settings.labelSurfaces ? "Outside/Labels.glsl" : "Outside/Scalars.glsl",
+    "Sky/OpenSky.glsl" };
+}
+
 std::string GradientFile(const RenderSettings& settings)
 {
   if (settings.clippedGradients)
@@ -113,7 +123,8 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings)
 {
   if (settings.functionOf == FunctionOf::TwoValues)
   {
-    return { settings.shading ? GradientFile(settings) : "Gradient/None.glsl", ShadeFile(settings),
+    const bool hasSurfaces = settings.shading || settings.occlusion;
+    return { hasSurfaces ? GradientFile(settings) : "Gradient/None.glsl", ShadeFile(settings),
       "Values/Two.glsl", "Material/TwoValues.glsl" };
   }
   if (settings.mask == Mask::Labels)

@@ -175,9 +175,10 @@ struct RenderSettings
   bool softLights = false; ///< some of these lights are as wide as cones; with shadows only
   bool casters = false;    ///< opaque geometry casts shadows too; with shadows only
   bool scattering = false; ///< matter scatters light; requires lights; composites only
-  bool occlusion = false;  ///< ambient occlusion, by packets only; composites of one component only
+  bool occlusion = false;  ///< ambient occlusion; composites of one component only
   Mask mask = Mask::None;
-  bool labelSurfaces = false; ///< labels are lit as surfaces of their own; labels with shading only
+  bool labelSurfaces =
+    false; ///< labels are surfaces of their own; labels with shading or occlusion
   FunctionOf functionOf = FunctionOf::Value; ///< other than Value: composites of one component only
   Components components = Components::One;
   int componentCount = 1;       ///< number of the volume's components

@@ -177,7 +177,7 @@ bool CastsShadows(const RenderSettings& settings)
 // Files for rays from samples through the volume; empty if there are none.
 std::vector<std::string> ThroughParts(const RenderSettings& settings)
 {
-  if (!CastsShadows(settings) && !settings.shadowsOthers)
+  if (!CastsShadows(settings) && !settings.shadowsOthers && !settings.occlusion)
   {
     return {};
   }
@@ -255,6 +255,11 @@ std::vector<std::string> MarchParts(const RenderSettings& settings)
     march == "March/MidpointFromBehind.glsl")
   {
     parts.push_back("FourScalars.glsl");
+  }
+  if (march.rfind("March/Material", 0) == 0)
+  {
+    const std::vector<std::string> sky = SkyParts(settings);
+    parts.insert(parts.end(), sky.begin(), sky.end());
   }
   if (march == FileFromBehind(settings))
   {

@@ -13,16 +13,17 @@ float NextCrossing(Ray ray, float t, float exit)
   return next;
 }
 
+int PlanesBelow(vec3 position, int axis)
+{
+  return int(BeyondPlane(croppingPlanes[2 * axis], position) >= 0.0) +
+    int(BeyondPlane(croppingPlanes[2 * axis + 1], position) >= 0.0);
+}
+
 bool IsDrawn(Ray ray, float t)
 {
-  vec3 position = ray.originGrid + t * ray.directionGrid;
-  int region = 0;
-  for (int axis = 2; axis >= 0; --axis)
-  {
-    int planesBelow = int(BeyondPlane(croppingPlanes[2 * axis], position) >= 0.0) +
-      int(BeyondPlane(croppingPlanes[2 * axis + 1], position) >= 0.0);
-    region = 3 * region + planesBelow;
-  }
+  vec3 position = PositionGrid(ray, t);
+  int region =
+    PlanesBelow(position, 0) + 3 * PlanesBelow(position, 1) + 9 * PlanesBelow(position, 2);
   return (croppingRegions >> region & 1) != 0;
 }
 

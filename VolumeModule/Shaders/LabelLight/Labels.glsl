@@ -39,6 +39,11 @@ vec3 LabelGradient(vec3 place)
     LabelledPart(place + z) - LabelledPart(place - z));
 }
 
+vec3 GradientOfLabel(vec3 positionGrid)
+{
+  return maskVoxelsPerVoxel * LabelGradient((positionGrid + 0.5) * maskVoxelsPerVoxel - 0.5);
+}
+
 vec3 LitLabel(vec3 color, vec3 gradient, Ray ray, float t)
 {
   vec4 reflectance = reflectances[0];
@@ -46,8 +51,7 @@ vec3 LitLabel(vec3 color, vec3 gradient, Ray ray, float t)
   {
     return Shade(color, gradient, reflectance, ray, t);
   }
-  vec3 positionGrid = ray.originGrid + t * ray.directionGrid;
-  vec3 normal = maskVoxelsPerVoxel * LabelGradient((positionGrid + 0.5) * maskVoxelsPerVoxel - 0.5);
+  vec3 normal = GradientOfLabel(PositionGrid(ray, t));
   if (dot(normal, normal) <= LeastSurface)
   {
     normal = (worldFromGrid * ray.directionGrid) * worldFromGrid; // its transform is the direction

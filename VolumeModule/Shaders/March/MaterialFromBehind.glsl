@@ -28,8 +28,10 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     {
       break; // the rest of the ray is invisible
     }
-    vec4 optical = Material(values, GradientsAt(PositionTexture(ray, middle)), ray, middle);
-    behind = BlendOver(behind, optical.rgb, optical.a * lengthMm);
+    Gradients gradients = GradientsAt(PositionTexture(ray, middle));
+    float kept = KeptOf(values, gradients, PositionGrid(ray, middle));
+    vec4 optical = Material(values, gradients, ray, middle);
+    behind = BlendOver(behind, kept * optical.rgb, optical.a * lengthMm);
   }
   return BlendBehind(sum, behind);
 }

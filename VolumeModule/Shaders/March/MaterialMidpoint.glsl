@@ -32,7 +32,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       break; // the rest of the ray is invisible
     }
     vec4 optical = Material(values, GradientsAt(PositionTexture(ray, middle)), ray, middle);
-    sum = BlendPart(sum, optical.rgb, optical.a * lengthMm);
+    sum = BlendPart(sum, KeptAt(ray, middle) * optical.rgb, optical.a * lengthMm);
   }
   return sum;
 }

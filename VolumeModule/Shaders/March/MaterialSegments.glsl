@@ -11,13 +11,15 @@
 
 const float PartsPerSegment = 4.0;
 
-// A segment along which values and gradients change linearly.
+// A segment along which values, gradients and the light that is kept change linearly.
 struct Linear
 {
   Values startValues;
   Values endValues;
   Gradients startGradients;
   Gradients endGradients;
+  float startKept;
+  float endKept;
   float enter;
   float lengthMm;
 };
@@ -28,7 +30,8 @@ Accumulation BlendMaterial(Accumulation sum, Linear segment, float along, Ray ra
   vec4 optical = Material(Between(segment.startValues, segment.endValues, along),
     Between(segment.startGradients, segment.endGradients, along), ray,
     segment.enter + along * segment.lengthMm);
-  return BlendPart(sum, optical.rgb, optical.a * (segment.lengthMm / PartsPerSegment));
+  float kept = mix(segment.startKept, segment.endKept, along);
+  return BlendPart(sum, kept * optical.rgb, optical.a * (segment.lengthMm / PartsPerSegment));
 }
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
@@ -36,7 +39,8 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   float t = inside.enter;
   Values endValues = ValuesAt(PositionTexture(ray, t));
   Gradients endGradients;
-  bool known = false; // true if endGradients are the gradients at t
+  float endKept;
+  bool known = false; // true if endGradients and endKept are those at t
   int index = 0;
   while (index < mostSegments && t < inside.exit && !BlendFinished(sum))
   {
@@ -65,15 +69,18 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     }
 
     Gradients gradients = GradientsAt(PositionTexture(ray, t));
+    float kept = KeptAt(ray, t);
     // The gradient at the beginning of a visible segment behind an invisible one was not fetched.
     // That at its end stands for it, because such a segment absorbs least at its beginning.
     if (!known)
     {
       endGradients = gradients;
+      endKept = kept;
     }
-    Linear segment =
-      Linear(startValues, endValues, endGradients, gradients, t - lengthMm, lengthMm);
+    Linear segment = Linear(
+      startValues, endValues, endGradients, gradients, endKept, kept, t - lengthMm, lengthMm);
     endGradients = gradients;
+    endKept = kept;
     known = true;
     // Without a loop the arithmetic of the four parts is one block.
     sum = BlendMaterial(sum, segment, 0.125, ray);

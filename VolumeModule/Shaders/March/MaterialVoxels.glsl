@@ -33,8 +33,10 @@ Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
     } while (cell.t < end && !MayAbsorb(values, values));
 
     float lengthMm = part.exit - part.enter;
-    vec4 optical = Material(values, GradientsAt(middleTexture), ray, part.enter + 0.5 * lengthMm);
-    sum = BlendPart(sum, optical.rgb, optical.a * lengthMm);
+    Gradients gradients = GradientsAt(middleTexture);
+    float kept = KeptOf(values, gradients, middleTexture * voxelCount - 0.5 + firstVoxelGrid);
+    vec4 optical = Material(values, gradients, ray, part.enter + 0.5 * lengthMm);
+    sum = BlendPart(sum, kept * optical.rgb, optical.a * lengthMm);
   }
   return sum;
 }

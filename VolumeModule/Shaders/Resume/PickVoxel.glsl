@@ -12,5 +12,5 @@ vec4 DrawnRay(Ray ray, Interval inside)
   {
     discard;
   }
-  return ColorOfPlace(ray.originGrid + t * ray.directionGrid);
+  return ColorOfPlace(PositionGrid(ray, t));
 }

@@ -19,7 +19,7 @@ vec3 Shade(vec3 color, vec3 gradient, vec4 reflectance, Ray ray, float t)
 {
   vec3 inward = worldFromGradient * gradient;
   vec3 normal = -InverseLength(inward) * inward;
-  vec3 positionWorld = worldFromGrid * (ray.originGrid + t * ray.directionGrid) + worldOfGridOrigin;
+  vec3 positionWorld = worldFromGrid * PositionGrid(ray, t) + worldOfGridOrigin;
   vec3 toEye = -(worldFromGrid * ray.directionGrid);
   Reach reach = ReachAt(ray, t);
   float litPart = LitPart(gradient);

@@ -35,3 +35,8 @@ bool MayAbsorb(Values start, Values end)
   return max(start.scalar, end.scalar) > visibleLower.x &&
     min(start.scalar, end.scalar) < visibleUpper.x;
 }
+
+Values WithAdded(Values values, float scalar)
+{
+  return Values(values.scalar + scalar);
+}

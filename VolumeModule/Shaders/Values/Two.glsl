@@ -35,3 +35,8 @@ bool MayAbsorb(Values start, Values end)
   return max(start.scalars.x, end.scalars.x) > visibleLower.x &&
     min(start.scalars.x, end.scalars.x) < visibleUpper.x;
 }
+
+Values WithAdded(Values values, float scalar)
+{
+  return Values(values.scalars + vec2(scalar, 0.0));
+}

@@ -2,6 +2,7 @@
 #define Varimarch_Core_Packets_Reach_OpenSky_h
 
 // Light from all around, as far as matter near a place lets it through: ambient occlusion.
+// Twin of Sky/OpenSky.glsl, Outside/Scalars.glsl and Outside/Labels.glsl.
 
 #include "Core/Packets/Flattened.h"
 #include "Core/Packets/Reach/DepthAlong.h"
@@ -63,7 +64,6 @@ public:
   }
 
 private:
-  // Matter that takes light gives back a part of it: Documentation/Mathematics.md.
   [[gnu::noinline]] Lanes Traced(const Lanes3& placeGrid, LaneMask mask) const
   {
     Lanes seen = {};
@@ -72,7 +72,7 @@ private:
       const Lanes depth = SkyDepth(this->scene, this->voxels, i, placeGrid, mask);
       seen = seen + this->scene.sky.directions[i].w * Exp(-depth);
     }
-    return seen / (seen + this->scene.sky.strength * (1.0f - seen));
+    return KeptLight(seen, All(this->scene.sky.strength));
   }
 
   const PacketScene& scene;

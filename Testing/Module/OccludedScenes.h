@@ -1,0 +1,110 @@
+#ifndef Varimarch_Testing_OccludedScenes_h
+#define Varimarch_Testing_OccludedScenes_h
+
+#include "Core/Reference/SkyVisibility.h"
+#include "Module/ReferenceMaterials.h"
+#include "Module/SlabScene.h"
+#include "Module/UsualSettings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+/// A slab with ambient occlusion, and its closed form. It may have layers: heights are above its
+/// lower face, which has height 0 [mm], and its upper face is towards the eye.
+class OccludedSlab
+{
+public:
+  static constexpr double HeightMm = 8.0;
+  static constexpr double VoxelMm = 1.0; ///< along the height
+
+  OccludedSlab(double opacityPerMm, double strength, double reachMm)
+    : strength(strength)
+    , reachMm(reachMm)
+    , scene(opacityPerMm, ColorRed)
+  {
+    const double extinction = -std::log1p(-opacityPerMm);
+    this->extinctionAt = [extinction](double) { return extinction; };
+    this->depthBelow = [extinction](double heightMm) { return extinction * heightMm; };
+    this->seenFrom = [](double heightMm) { return heightMm + 2.0 * VoxelMm; };
+    this->scene.mapper->SetAmbientOcclusion(strength);
+    this->scene.mapper->SetAmbientOcclusionReach(reachMm);
+  }
+
+  double RedOf(const std::vector<float>& drawn) const { return drawn[4 * (drawn.size() / 8)]; }
+  double DrawnRed() { return this->RedOf(this->scene.DrawByProcessor()); }
+
+  /// The same by shaders, with a sample every so many mm.
+  double RedByShaders(double sampleDistanceMm)
+  {
+    this->scene.mapper->AutoAdjustSampleDistancesOff();
+    this->scene.mapper->SetSampleDistance(sampleDistanceMm);
+    return this->RedOf(this->scene.Draw());
+  }
+
+  /// Each height emits what it keeps of the light that arrives at the place it is seen from.
+  double ExpectedRed() const
+  {
+    constexpr int Parts = 20000;
+    constexpr double PartMm = HeightMm / Parts;
+    double red = 0.0;
+    for (int i = 0; i < Parts; ++i)
+    {
+      const double heightMm = (i + 0.5) * PartMm;
+      red += ColorRed * this->extinctionAt(heightMm) * PartMm *
+        std::exp(this->depthBelow(heightMm) - this->depthBelow(HeightMm)) *
+        varimarch::KeptLight(this->VisibilityAt(this->seenFrom(heightMm)), this->strength);
+    }
+    return red;
+  }
+
+  double strength;
+  double reachMm;
+  double widthMm = 20.0; ///< width of its matter to the right of the eye's ray
+  std::function<double(double heightMm)> extinctionAt;
+  std::function<double(double heightMm)> depthBelow; ///< optical depth from height 0 on
+  std::function<double(double heightMm)> seenFrom;   ///< height of the place outside its surface
+  SlabScene scene;
+
+private:
+  static constexpr double ColorRed = 0.8;
+
+  double VisibilityAt(double heightMm) const
+  {
+    double sum = 0.0;
+    for (const auto& [direction, weight] : varimarch::SphereQuadrature())
+    {
+      const double toEdgeMm = direction.x > 0.0 ? this->widthMm / direction.x : this->reachMm;
+      const double farMm = std::min(this->reachMm, toEdgeMm);
+      const auto inside = [](double height) { return std::clamp(height, 0.0, HeightMm); };
+      const double depth = this->depthBelow(inside(heightMm + direction.z * farMm)) -
+        this->depthBelow(inside(heightMm));
+      sum += weight * std::exp(-std::abs(depth / direction.z));
+    }
+    return sum;
+  }
+};
+
+/// A turned torso with ambient occlusion under a sun and a lamp.
+class OccludedTorso
+{
+public:
+  explicit OccludedTorso(int size)
+    : scene(SmallTorso(), size)
+  {
+    this->scene.volume->GetProperty()->ShadeOn();
+    this->scene.mapper->SetAmbientOcclusion(0.5);
+    this->scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    UseSunAndLamp(this->scene.renderer);
+  }
+
+  std::vector<float> Truth(double tolerance)
+  {
+    return this->scene.TruthOf(OccludedMaterial(this->scene, tolerance), tolerance);
+  }
+
+  MapperScene scene;
+};
+
+#endif
