@@ -14,7 +14,7 @@ report=$PWD/build/dev/tests.xml
 reportsOfSuites=$PWD/build/dev/Testing/reports
 rm -rf "$report" "$reportsOfSuites"
 result=0
-ctest --preset dev --parallel 2 --no-tests=error --output-junit "$report" || result=$?
+ctest --preset dev --parallel $(($(nproc) + 1)) --no-tests=error --output-junit "$report" || result=$?
 [ -s "$report" ] || fail "ctest wrote no report to $report; its messages are above."
 python3 Testing/Support/count_tests.py "$report" "$reportsOfSuites"
 exit $result

@@ -43,7 +43,7 @@ public:
 };
 
 /// The same slice with one fragment of compressed pixels.
-Elements Compressed(Elements elements, const std::string& fragment)
+Elements Encapsulated(Elements elements, const std::string& fragment)
 {
   const auto number = [](std::uint32_t value)
   { return std::string(reinterpret_cast<const char*>(&value), sizeof(value)); };
@@ -80,7 +80,7 @@ Elements CrashingSlice(int slice)
   behind.originMm += 3.0 * behind.axesMm[2];
   DicomOptions options;
   options.instance = 3;
-  return Compressed(phantom_dicom::SliceElements(behind, slice, options), AbortingJpeg);
+  return Encapsulated(phantom_dicom::SliceElements(behind, slice, options), AbortingJpeg);
 }
 
 std::size_t OpenDescriptors()
@@ -157,7 +157,7 @@ TEST_F(Decoder, ServesAllReadsOfASession)
 
 TEST_F(Decoder, ThatCrashesIsASentence)
 {
-  this->Write("a.dcm", Compressed(Slice(0), AbortingJpeg), JpegSyntax);
+  this->Write("a.dcm", Encapsulated(Slice(0), AbortingJpeg), JpegSyntax);
   ExpectWords(this->Refusal("a.dcm"), { "a.dcm\": expected", "Aborted" });
 }
 
@@ -180,7 +180,7 @@ TEST_F(Decoder, ThatCrashesLeavesTheOtherSlices)
 TEST_F(Decoder, ThatWantsMoreMemoryThanAnImageNeedsDoesNotGetIt)
 {
   // 15000 x 15000 values of 32 bits take 900 MB.
-  this->Write("a.dcm", Compressed(Slice(0), Jpeg2000Bytes(15000)), Jpeg2000Syntax);
+  this->Write("a.dcm", Encapsulated(Slice(0), Jpeg2000Bytes(15000)), Jpeg2000Syntax);
   ExpectWords(this->Refusal("a.dcm"), { "a.dcm\": expected" });
   rusage usage = {};
   getrusage(RUSAGE_CHILDREN, &usage);
@@ -343,7 +343,7 @@ TEST_F(Decoder, ServesManyThreads)
 TEST_F(Decoder, IsIndependentOfTheDisplayOfWarnings)
 {
   const std::string vti = VtiText(phantom::Stored(0));
-  this->Write("a.dcm", Compressed(Slice(0), AbortingJpeg), JpegSyntax);
+  this->Write("a.dcm", Encapsulated(Slice(0), AbortingJpeg), JpegSyntax);
   this->folder.Write("scan/a.vti", vti.substr(0, vti.size() / 2) + "</VTKFile>");
   for (const char* name : { "a.dcm", "a.vti" })
   {
