@@ -13,9 +13,8 @@
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
+#include "vtkIndent.h"
 #include "vtkInformation.h"
-#include "vtkInformationDoubleKey.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -58,8 +57,6 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
 }
 
 vtkStandardNewMacro(vtkVariationFieldVolumeMapper);
-vtkInformationKeyMacro(vtkVariationFieldVolumeMapper, LIGHT_SOFTNESS, Double);
-vtkInformationKeyMacro(vtkVariationFieldVolumeMapper, CASTS_SHADOWS, Integer);
 
 vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
   : Private(std::make_unique<Internals>())
@@ -67,24 +64,7 @@ vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
   this->SetNumberOfInputPorts(10); // as many as vtkGPUVolumeRayCastMapper has
 }
 
-vtkVariationFieldVolumeMapper::~vtkVariationFieldVolumeMapper()
-{
-  this->SetTransfer2DYAxisArray(nullptr);
-}
-
-void vtkVariationFieldVolumeMapper::SetMaskInput(vtkImageData* mask)
-{
-  if (this->MaskInput != mask)
-  {
-    this->MaskInput = mask;
-    this->Modified();
-  }
-}
-
-vtkImageData* vtkVariationFieldVolumeMapper::GetMaskInput()
-{
-  return this->MaskInput;
-}
+vtkVariationFieldVolumeMapper::~vtkVariationFieldVolumeMapper() = default;
 
 // Draws one volume, with the events, the timing and the error report of a mapper.
 void vtkVariationFieldVolumeMapper::Internals::Draw(
@@ -388,4 +368,22 @@ int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInforma
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   return 1;
+}
+
+void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "DrawFetchCounts: " << this->DrawFetchCounts << "\n";
+  os << indent << "LevelOfDetail: " << this->LevelOfDetail << "\n";
+  os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << "\n";
+  os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
+  os << indent << "LightMemoryBytes: " << this->GetLightMemoryBytes() << "\n";
+  os << indent << "UsedImageSampleDistance: " << this->GetUsedImageSampleDistance() << "\n";
+  os << indent << "RenderToImage: " << this->RenderToImage << "\n";
+  os << indent << "DepthImageScalarType: " << this->DepthImageScalarType << "\n";
+  os << indent << "ClampDepthToBackface: " << this->ClampDepthToBackface << "\n";
+  os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
+  os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
+  os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";
+  os << indent << "EstimatedError: " << this->GetEstimatedError() << "\n";
 }

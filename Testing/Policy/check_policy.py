@@ -24,15 +24,6 @@ LONGEST_SUBJECT = 72
 MOST_FILES_WITHOUT_BODY = 5
 CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}
 
-# Files and functions that may be long, each with the reason: "path": "reason", and
-# "path: first line of the function": "reason".
-LONG_FILES = {
-    "VolumeModule/vtkVariationFieldVolumeMapper.h": "one class, whose every setting is documented here",
-}
-LONG_FUNCTIONS = {  # PrintSelf has a line for each setting
-    "VolumeModule/vtkVariationFieldVolumeMapperPrint.cxx: void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)",
-}
-
 # A comment that begins with one of these leaves its subject to the code or another comment.
 NO_SUBJECT = {"of", "what", "whose", "nor", "none", "those"}
 
@@ -138,13 +129,10 @@ def files_are_short():
         if path.suffix not in CODE and path.name != "CMakeLists.txt":
             continue
         length = len(text_of(path).splitlines())
-        if length > LONGEST_FILE_LINES and str(path) not in LONG_FILES:
+        if length > LONGEST_FILE_LINES:
             problems.append(
-                f"{path}: {length} lines, {LONGEST_FILE_LINES} are allowed; split it by idea, or "
-                f"give the reason in LONG_FILES in {pathlib.Path(__file__).name}"
+                f"{path}: {length} lines, {LONGEST_FILE_LINES} are allowed; split it by idea"
             )
-        if length <= LONGEST_FILE_LINES and str(path) in LONG_FILES:
-            problems.append(f"{path}: short again; take it out of LONG_FILES")
     return problems
 
 
@@ -160,7 +148,10 @@ def functions_are_short():
             elif line == "}" and start is not None:
                 first, length = first_line_before(lines, start), number - start - 1
                 if length > LONGEST_FUNCTION_LINES and not opens_namespace(first):
-                    problems += long_function(path, start, first, length)
+                    problems.append(
+                        f"{path}:{start}: {first}: {length} lines, {LONGEST_FUNCTION_LINES} are "
+                        f"allowed; split it by idea"
+                    )
                 start = None
             elif line == "};":
                 start = None
@@ -177,15 +168,6 @@ def first_line_before(lines, brace):
 
 def opens_namespace(first_line):
     return re.match(r'namespace\b|extern "C"', first_line)
-
-
-def long_function(path, start, first_line, length):
-    if f"{path}: {first_line}" in LONG_FUNCTIONS:
-        return []
-    return [
-        f"{path}:{start}: {first_line}: {length} lines, {LONGEST_FUNCTION_LINES} are allowed; "
-        f"split it by idea, or give the reason in LONG_FUNCTIONS in {pathlib.Path(__file__).name}"
-    ]
 
 
 def files_are_small():
