@@ -29,7 +29,7 @@ namespace
 {
 
 // Rounding of positions [voxels].
-constexpr double Rounding = 1e-9;
+constexpr double PlaceRounding = 1e-9;
 
 /// The first and last index of some voxels along an axis; none if the last lies before the first.
 struct IndexRange
@@ -84,9 +84,9 @@ public:
     double to = -from;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double before = this->first[axis] - Rounding - start[axis];
-      const double after = this->last[axis] + Rounding - start[axis];
-      if (std::abs(step[axis]) * this->LongestRow() > Rounding)
+      const double before = this->first[axis] - PlaceRounding - start[axis];
+      const double after = this->last[axis] + PlaceRounding - start[axis];
+      if (std::abs(step[axis]) * this->LongestRow() > PlaceRounding)
       {
         from = std::max(from, std::min(before / step[axis], after / step[axis]));
         to = std::min(to, std::max(before / step[axis], after / step[axis]));
@@ -110,11 +110,11 @@ private:
       {
         distance += std::abs(this->gridFromVoxel[along][axis]);
       }
-      if (this->last[axis] - this->first[axis] < distance - 2.0 * Rounding)
+      if (this->last[axis] - this->first[axis] < distance - 2.0 * PlaceRounding)
       {
         const double middle = 0.5 * (this->first[axis] + this->last[axis]);
         // Two layers that are equally near would both lie in a closed range.
-        this->first[axis] = middle - 0.5 * distance + 2.0 * Rounding;
+        this->first[axis] = middle - 0.5 * distance + 2.0 * PlaceRounding;
         this->last[axis] = middle + 0.5 * distance;
       }
     }

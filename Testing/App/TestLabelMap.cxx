@@ -42,7 +42,7 @@ LoadedVolume VolumeOf(vtkImageData* image)
 }
 
 // A scan of 12 x 10 x 8 voxels at an oblique angle.
-LoadedVolume Scan()
+LoadedVolume PlainScan()
 {
   const auto image = Image({ 12, 10, 8 }, [](int x, int, int) { return x; });
   image->SetOrigin(5.0, -7.0, 11.0);
@@ -83,7 +83,7 @@ std::string Joined(const std::vector<std::string>& warnings)
 
 TEST(LabelMap, IsOnTheGridOfTheScanWhateverFilesRound)
 {
-  const LoadedVolume scan = Scan();
+  const LoadedVolume scan = PlainScan();
   const auto labels = vtkSmartPointer<vtkImageData>::New();
   labels->CopyStructure(scan.image);
   EXPECT_TRUE(AreOnGridOf(labels, scan.image));
@@ -104,7 +104,7 @@ TEST(LabelMap, IsOnTheGridOfTheScanWhateverFilesRound)
 
 TEST(LabelMap, OnTheGridOfTheScanKeepsEveryVoxel)
 {
-  const LoadedVolume scan = Scan();
+  const LoadedVolume scan = PlainScan();
   const auto image = Image({ 12, 10, 8 }, [](int x, int y, int z) { return (x + 2 * y + z) % 4; });
   image->SetOrigin(scan.image->GetOrigin());
   image->SetSpacing(scan.image->GetSpacing());
@@ -129,7 +129,7 @@ TEST(LabelMap, OnTheGridOfTheScanKeepsEveryVoxel)
 // the images' own definition, origin + direction * spacing * index.
 TEST(LabelMap, OnAnotherGridTakesTheNearestVoxel)
 {
-  const LoadedVolume scan = Scan();
+  const LoadedVolume scan = PlainScan();
   const auto labelAt = [](int x, int y, int z) { return 1 + (x + 3 * y + 5 * z) % 7; };
   const auto image = Image({ 30, 28, 26 }, labelAt);
   image->SetOrigin(-12.0, -15.0, -12.0);
@@ -163,7 +163,7 @@ TEST(LabelMap, OnAnotherGridTakesTheNearestVoxel)
 
 TEST(LabelMap, OfAPartOfTheScanIsEmptyElsewhere)
 {
-  const LoadedVolume scan = Scan();
+  const LoadedVolume scan = PlainScan();
   const auto image = Image({ 3, 2, 2 }, [](int, int, int) { return 4; });
   double placeMm[3];
   scan.image->TransformIndexToPhysicalPoint(5, 6, 3, placeMm);
@@ -181,7 +181,7 @@ TEST(LabelMap, OfAPartOfTheScanIsEmptyElsewhere)
 
 TEST(LabelMap, SaysWhatLiesOutsideTheScan)
 {
-  const LoadedVolume scan = Scan();
+  const LoadedVolume scan = PlainScan();
   const auto image =
     Image({ 12, 10, 8 }, [](int x, int, int) { return x < 6 ? 1
                                                  : x == 11  ? 2
@@ -199,7 +199,7 @@ TEST(LabelMap, SaysWhatLiesOutsideTheScan)
 
 TEST(LabelMap, OfAnotherPlaceIsRefused)
 {
-  const LoadedVolume scan = Scan();
+  const LoadedVolume scan = PlainScan();
   const auto image = Image({ 4, 4, 4 }, [](int, int, int) { return 1; });
   image->SetOrigin(500.0, 0.0, 0.0);
   const std::string error = ErrorOf(VolumeOf(image), scan);
@@ -215,8 +215,8 @@ TEST(LabelMap, OfAnotherPlaceIsRefused)
 
 TEST(LabelMap, OfAnotherFrameOfReferenceIsRefused)
 {
-  LoadedVolume scan = Scan();
-  LoadedVolume labels = Scan();
+  LoadedVolume scan = PlainScan();
+  LoadedVolume labels = PlainScan();
   scan.frameOfReference = "1.2.3";
   EXPECT_EQ(ErrorOf(labels, scan), ""); // unknown
   labels.frameOfReference = "1.2.4";
@@ -229,7 +229,7 @@ TEST(LabelMap, OfAnotherFrameOfReferenceIsRefused)
 
 TEST(LabelMap, OfValuesThatAreNoLabelsIsRefused)
 {
-  LoadedVolume labels = Scan();
+  LoadedVolume labels = PlainScan();
   vtkNew<vtkImageData> reals;
   reals->CopyStructure(labels.image);
   reals->AllocateScalars(VTK_FLOAT, 1);
@@ -238,7 +238,7 @@ TEST(LabelMap, OfValuesThatAreNoLabelsIsRefused)
     static_cast<float*>(reals->GetScalarPointer())[i] = 0.25f;
   }
   labels.image = reals;
-  EXPECT_EQ(ErrorOf(labels, Scan()),
+  EXPECT_EQ(ErrorOf(labels, PlainScan()),
     "Cannot draw the labels of seg.nrrd over the scan: expected whole numbers as labels, found "
     "0.25.");
 }
