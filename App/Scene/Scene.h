@@ -365,8 +365,8 @@ struct Scene
   VolumeSource volume;
   Look look;
   std::vector<SceneLight> lights; ///< empty: a white light at the eye
-  /// Strength of the shadows that the volume casts on itself, [0, 1]; 0: none. See
-  /// vtkVariationFieldVolumeMapper::ShadowStrength.
+  /// Strength of the shadows that volumes cast on themselves and on each other, [0, 1]; 0: none.
+  /// See vtkVariationFieldVolumeMapper::ShadowStrength.
   double shadows = 0.0;
   Scattering scattering;
   Occlusion occlusion;

@@ -77,8 +77,8 @@ public:
   /// True if shadows are requested, but left out because a shader sees one block at a time and
   /// packets of rays cannot march.
   bool LeavesOutShadows() const { return this->leavesOutShadows; }
-  /// True if ambient occlusion is requested, but left out because a shader sees one block at a
-  /// time.
+  /// True if ambient occlusion is requested, but left out because a shader sees one volume and
+  /// one block at a time, and packets of rays do not march.
   bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
   /// The memory of the lattices of light, of which only pages that are used are taken.
   std::size_t LightBytes() const { return this->resources.LightBytes(); }

@@ -84,8 +84,9 @@ def render(
     lights: the lights of a shaded volume, a list of dictionaries as in Documentation/SceneFormat.md,
         such as {"kind": "camera", "direction": (1, 1, 1), "color": "ivory"}, a light from the upper
         right; default: a white light at the eye.
-    shadows: True, or a strength from 0 (none) to 1, to let a shaded volume cast shadows on itself,
-        from lights that are not at the eye; takes about three times as long.
+    shadows: True, or a strength from 0 (none) to 1, to let volumes cast shadows on themselves and
+        on each other, from lights that are not at the eye; shaded volumes show them. Takes about
+        three times as long.
     scattering: the part of the light that matter scatters and surfaces do not reflect, 0 to 2; all
         from 1 on. Shaded composites only.
     anisotropy: mean cosine of the angle by which it turns light, -0.99 to 0.99.

@@ -1,9 +1,9 @@
 #include "Math/ShadowSteps.glsl"
-// The volume casts shadows on itself: a ray goes from a point to each light. Light changes less
-// along a ray of the eye than what is seen: it is computed at places that are shadowStepMm apart,
-// and the optical depth to it is linear between them. As the sample distance goes to 0, so does
-// shadowStepMm, and the error of the shadows; the search for steps that keep the error tolerance
-// finds steps for both.
+// Volumes cast shadows on themselves and on each other: a ray goes from a point to each light.
+// Light changes less along a ray of the eye than what is seen: the part of it that arrives is
+// computed at places that are shadowStepMm apart, and its logarithm is linear between them. As the
+// sample distance goes to 0, so does shadowStepMm, and the error of the shadows; the search for
+// steps that keep the error tolerance finds steps for both.
 
 const float BeyondAll = 3.0e38; // distance of lights at infinity [mm]
 
@@ -52,7 +52,7 @@ Reach TracedReach(Ray ray, float t)
   return reach;
 }
 
-// The light between two places, where the optical depth to it is linear.
+// The light between two places, where its logarithm is linear; parts below 1e-6 count as that.
 vec4 LightBetween(vec4 start, vec4 end, float along)
 {
   return exp(mix(log(max(start, 1e-6)), log(max(end, 1e-6)), along));
