@@ -1,5 +1,7 @@
 #include "Module/CasterTruth.h"
 
+#include "Support/TriangleHits.h"
+
 #include <vtkMatrixToLinearTransform.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -45,17 +47,10 @@ std::vector<Corners> TrianglesOf(vtkActor* actor)
   return all;
 }
 
-// Cramer's rule, as in any textbook.
-bool IsMet(const Corners& corners, glm::dvec3 from, glm::dvec3 towards, double farMm)
+bool IsMet(const Corners& corners, const Ray& ray, double farMm)
 {
-  const glm::dvec3 a = corners[1] - corners[0];
-  const glm::dvec3 b = corners[2] - corners[0];
-  const glm::dvec3 c = from - corners[0];
-  const double all = -glm::dot(glm::cross(a, b), towards);
-  const double u = -glm::dot(glm::cross(c, b), towards) / all;
-  const double v = -glm::dot(glm::cross(a, c), towards) / all;
-  const double t = glm::dot(glm::cross(a, b), c) / all;
-  return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < farMm;
+  const TrueHit hit = HitOf(corners, ray);
+  return hit.inside >= 0.0 && hit.t > 0.0 && hit.t < farMm;
 }
 
 }
@@ -76,7 +71,9 @@ MapperScene::Material MaterialInShadowsOf(
     {
       const glm::dvec3 from = samples->PositionWorld(positionGrid);
       const bool isHidden = std::any_of(triangles.begin(), triangles.end(),
-        [&](const Corners& corners) { return IsMet(corners, from, towardsWorld, farMm); });
+        [&](const Corners& corners) {
+          return IsMet(corners, { from, towardsWorld }, farMm);
+        });
       return isHidden ? 0.0 : through(positionGrid, towardsWorld, farMm);
     });
 }

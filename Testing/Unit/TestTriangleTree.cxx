@@ -3,11 +3,13 @@
 
 #include "Core/Geometry/TriangleTree.h"
 #include "Core/Packets/Reach/MeetTriangles.h"
+#include "Support/TriangleHits.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -20,37 +22,18 @@ using namespace varimarch;
 namespace
 {
 
-struct OneRay
+// The hit of a triangle of floats in double precision.
+TrueHit HitOf(const Triangle& triangle, const Ray& ray)
 {
-  glm::dvec3 origin;
-  glm::dvec3 direction;
-};
-
-// A triangle that a ray meets, and how far inside of it.
-struct TrueHit
-{
-  double t = std::numeric_limits<double>::infinity();
-  double inside = 0.0; ///< The least barycentric coordinate; near 0 the ray grazes an edge.
-};
-
-// Cramer's rule for origin + t direction = first + u (second - first) + v (third - first).
-TrueHit HitOf(const Triangle& triangle, const OneRay& ray)
-{
-  const glm::dvec3 first(triangle[0]);
-  const glm::dvec3 a = glm::dvec3(triangle[1]) - first;
-  const glm::dvec3 b = glm::dvec3(triangle[2]) - first;
-  const glm::dvec3 c = ray.origin - first;
-  const double all = glm::dot(glm::cross(a, b), -ray.direction);
-  const double u = glm::dot(glm::cross(c, b), -ray.direction) / all;
-  const double v = glm::dot(glm::cross(a, c), -ray.direction) / all;
-  const double t = glm::dot(glm::cross(a, b), c) / all;
-  return { t, std::min({ u, v, 1.0 - u - v }) };
+  const std::array<glm::dvec3, 3> exact = { glm::dvec3(triangle[0]), glm::dvec3(triangle[1]),
+    glm::dvec3(triangle[2]) };
+  return ::HitOf(exact, ray);
 }
 
 constexpr double Grazing = 1e-3; ///< rays that are as near to an edge are not compared
 
 // The nearest triangle; nothing if a ray grazes any edge.
-std::optional<TrueHit> NearestOf(const std::vector<Triangle>& triangles, const OneRay& ray)
+std::optional<TrueHit> NearestOf(const std::vector<Triangle>& triangles, const Ray& ray)
 {
   TrueHit nearest;
   for (const Triangle& triangle : triangles)
@@ -69,13 +52,13 @@ std::optional<TrueHit> NearestOf(const std::vector<Triangle>& triangles, const O
 }
 
 std::optional<TriangleHit> NearestOfTree(
-  const TriangleTree& tree, const OneRay& ray, float exit = 1e30f)
+  const TriangleTree& tree, const Ray& ray, float exit = 1e30f)
 {
   return NearestTriangle(
     tree.Texels().data(), glm::vec3(ray.origin), glm::vec3(ray.direction), exit);
 }
 
-bool IsMetByLanes(const TriangleTree& tree, const OneRay& ray, float exit)
+bool IsMetByLanes(const TriangleTree& tree, const Ray& ray, float exit)
 {
   const TreeRays rays = { AllOf3(ray.origin), AllOf3(ray.direction), All(exit) };
   const LaneMask all = AllInt(-1);
@@ -102,7 +85,7 @@ void ExpectTruth(int count, double side, glm::dvec3 center)
   int compared = 0;
   for (int i = 0; i < 10000; ++i)
   {
-    const OneRay ray = { glm::dvec3(glm::vec3(center + 15.0 * place())),
+    const Ray ray = { glm::dvec3(glm::vec3(center + 15.0 * place())),
       glm::dvec3(glm::vec3(glm::normalize(place()))) };
     const std::optional<TrueHit> truth = NearestOf(triangles, ray);
     if (!truth)
@@ -187,7 +170,7 @@ TEST(TriangleTree, LeavesOutWhatHasNoArea)
   const glm::vec3 a(0.0f);
   const glm::vec3 b(1.0f, 0.0f, 0.0f);
   const glm::vec3 c(0.0f, 1.0f, 0.0f);
-  const OneRay ray = { { 0.2, 0.2, -1.0 }, { 0.0, 0.0, 1.0 } };
+  const Ray ray = { { 0.2, 0.2, -1.0 }, { 0.0, 0.0, 1.0 } };
   const std::vector<Triangle> none = { { a, a, a }, { a, b, 2.0f * b },
     { a, b, glm::vec3(0.0f, nan, 0.0f) }, { a, b, glm::vec3(infinite, 1.0f, 0.0f) } };
   EXPECT_FALSE(IsMetByLanes(TriangleTree(none), ray, 1e30f));
