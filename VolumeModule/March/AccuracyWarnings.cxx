@@ -29,22 +29,26 @@ std::string ExceededTolerance(double tolerance, const StepChoice& step)
   return text.str();
 }
 
+// Why shaders march, which cannot draw all light.
+constexpr const char* ReasonForShaders =
+  "packets of rays on the processor are off (ProcessorMarching) or cannot draw this scene. ";
+
 std::string LightWarnings(const RayMarcher& marcher)
 {
   std::string warnings;
   if (marcher.LeavesOutShadows())
   {
     warnings +=
-      "The volume has no shadows, because it does not fit into the graphics memory at once and "
-      "packets of rays on the processor (ProcessorMarching) cannot draw this scene. Allow more "
-      "graphics memory, or draw a smaller volume. ";
+      "The volume has no shadows, because it does not fit into the graphics memory at once, and ";
+    warnings += ReasonForShaders;
+    warnings += "Allow more graphics memory, or draw a smaller volume. ";
   }
   if (marcher.LeavesOutOcclusion())
   {
     warnings +=
       "The volume has no ambient occlusion, because it overlaps others or does not fit into the "
-      "graphics memory at once, and packets of rays on the processor (ProcessorMarching) do not "
-      "draw this scene. ";
+      "graphics memory at once, and ";
+    warnings += ReasonForShaders;
   }
   if (marcher.LeavesOutCasters())
   {
