@@ -173,10 +173,9 @@ glm::dvec3 ReferenceMaterial::MiddleOf(glm::dvec3 positionGrid) const
 double ReferenceMaterial::KeptAt(glm::dvec3 gradient, glm::dvec3 positionGrid) const
 {
   const double value = this->value(positionGrid);
-  const double perVoxel = glm::length(gradient);
   const double perMm = this->GradientPerMm(gradient);
-  const bool isThinnerUp = this->Unlit(value + perVoxel, perMm).extinction <
-    this->Unlit(value - perVoxel, perMm).extinction;
+  const bool isThinnerUp = IsThinnerUp(
+    value, gradient, [&](double other) { return this->Unlit(other, perMm).extinction; });
   const SkyVisibility sky(*this->transmittance, this->request.occlusion.reachMm);
   return KeptLight(sky.At(OutsideOf(this->MiddleOf(positionGrid), gradient, isThinnerUp)),
     this->request.occlusion.strength);

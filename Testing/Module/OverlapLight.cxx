@@ -107,9 +107,8 @@ private:
     }
     const double value = material.ValueAt(placeGrid);
     const glm::dvec3 gradient = material.Grid().Gradient(placeGrid);
-    const double perVoxel = glm::length(gradient);
     const bool isThinnerUp =
-      material.ExtinctionOf(value + perVoxel) < material.ExtinctionOf(value - perVoxel);
+      IsThinnerUp(value, gradient, [&](double other) { return material.ExtinctionOf(other); });
     const glm::dvec3 outside(material.geometry.worldFromGrid *
       glm::dvec4(OutsideOf(placeGrid, gradient, isThinnerUp), 1.0));
     double visible = 0.0;

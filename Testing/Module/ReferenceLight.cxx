@@ -192,9 +192,8 @@ MapperScene::Material Occluded(MapperScene& scene, const UnlitLook& look,
     {
       const double value = look.value(position);
       const glm::dvec3 gradient = look.gradient(position);
-      const double perVoxel = glm::length(gradient);
-      const bool isThinnerUp = look.properties(position, value + perVoxel).extinction <
-        look.properties(position, value - perVoxel).extinction;
+      const bool isThinnerUp = IsThinnerUp(
+        value, gradient, [&](double other) { return look.properties(position, other).extinction; });
       const glm::dvec3 outside = OutsideOf(look.surface(position), gradient, isThinnerUp);
       properties.rgb *= KeptLight(
         SkyVisibility(*transmittance, reachMm).At(outside), scene.mapper->GetAmbientOcclusion());

@@ -23,6 +23,13 @@ glm::dvec3 OutsideOf(glm::dvec3 positionGrid, glm::dvec3 gradient, bool isThinne
   return length > 0.0 ? positionGrid + (signedDistance / length) * gradient : positionGrid;
 }
 
+bool IsThinnerUp(
+  double value, glm::dvec3 gradient, const std::function<double(double value)>& extinctionOf)
+{
+  const double perVoxel = glm::length(gradient);
+  return extinctionOf(value + perVoxel) < extinctionOf(value - perVoxel);
+}
+
 double KeptLight(double visibility, double strength)
 {
   return visibility / (visibility + strength * (1.0 - visibility));

@@ -4,6 +4,8 @@
 #include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Reference/LightTransmittance.h"
 
+#include <functional>
+
 namespace varimarch
 {
 
@@ -32,8 +34,14 @@ private:
 /// The place from which a surface sees what is around it: two voxels along its gradient, up or
 /// down.
 /// @param gradient      per voxel
-/// @param isThinnerUp   true if there would be less matter where the value is higher
+/// @param isThinnerUp   see the function of this name
 glm::dvec3 OutsideOf(glm::dvec3 positionGrid, glm::dvec3 gradient, bool isThinnerUp);
+
+/// True if there would be less matter a voxel up a gradient than a voxel down it.
+/// @param gradient      per voxel
+/// @param extinctionOf  the extinction where the value is another
+bool IsThinnerUp(
+  double value, glm::dvec3 gradient, const std::function<double(double value)>& extinctionOf);
 
 /// The part of its light that a place keeps: V / (V + strength (1 - V)) for the visibility V.
 double KeptLight(double visibility, double strength);
