@@ -2,9 +2,12 @@
 #define Varimarch_Testing_OccludedScenes_h
 
 #include "Core/Reference/SkyVisibility.h"
+#include "Module/LabelledTorso.h"
 #include "Module/ReferenceMaterials.h"
 #include "Module/SlabScene.h"
 #include "Module/UsualSettings.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,6 +86,65 @@ private:
       sum += weight * std::exp(-std::abs(depth / direction.z));
     }
     return sum;
+  }
+};
+
+/// Gives the voxels of a slab from one height to another a label of another opacity.
+/// @param first, last  voxels along the height
+inline void LabelFrom(int first, int last, double opacityPerMm, OccludedSlab& slab)
+{
+  const double others = slab.extinctionAt(0.0);
+  const double more = -std::log1p(-opacityPerMm) - others;
+  const double lowerMm = first - 0.5;
+  const double upperMm = last + 0.5;
+  slab.extinctionAt = [=](double heightMm)
+  { return others + (heightMm >= lowerMm && heightMm < upperMm ? more : 0.0); };
+  slab.depthBelow = [=](double heightMm)
+  {
+    const double inLabelMm = std::min(heightMm, upperMm) - std::max(lowerMm, 0.0);
+    return others * heightMm + more * std::max(inLabelMm, 0.0);
+  };
+  vtkVolumeProperty* const property = slab.scene.volume->GetProperty();
+  vtkNew<vtkPiecewiseFunction> opacities;
+  opacities->AddPoint(0.0, opacityPerMm);
+  property->SetLabelScalarOpacity(1, opacities);
+  property->SetLabelColor(1, slab.scene.colors);
+  slab.scene.mapper->SetMaskInput(MaskOf(
+    { 9, 9, 9 }, [=](glm::ivec3 place) { return place.z >= first && place.z <= last ? 1 : 0; },
+    VTK_UNSIGNED_CHAR));
+}
+
+/// A slab whose lower half has a label that is lit as its own surface, and whose upper half is
+/// empty. Within 1.5 voxels of its upper face the label sees what is above it, and farther down
+/// what is around each place.
+struct LabelOnNothing : OccludedSlab
+{
+  LabelOnNothing()
+    : OccludedSlab(0.0, 0.8, 6.0)
+  {
+    LabelFrom(0, Last, 0.3, *this);
+    this->scene.mapper->LabelSurfacesOn();
+    this->scene.mapper->AutoAdjustSampleDistancesOff();
+    this->scene.mapper->SetSampleDistance(float(SegmentMm));
+  }
+
+  /// Expects a colour within rounding. The segment in which the surface begins has either light.
+  void ExpectRed(double drawn)
+  {
+    EXPECT_GT(drawn, this->RedIfSurfaceBegins(Last - 1.0 + 0.5 * SegmentMm) - HalfByteStep);
+    EXPECT_LT(drawn, this->RedIfSurfaceBegins(Last - 1.0 - 0.5 * SegmentMm) + HalfByteStep);
+  }
+
+  static constexpr double SegmentMm = 0.25;
+
+private:
+  static constexpr int Last = 4; ///< the uppermost voxel of the label
+
+  double RedIfSurfaceBegins(double surfaceMm)
+  {
+    this->seenFrom = [surfaceMm](double heightMm)
+    { return heightMm > surfaceMm ? heightMm + 2.0 * VoxelMm : heightMm; };
+    return this->ExpectedRed();
   }
 };
 

@@ -40,6 +40,13 @@ TEST(Occlusion, OfMidpointsAndOnALatticeHasItsClosedFormToo)
   EXPECT_GT(slab.scene.mapper->GetLightMemoryBytes(), 0);
 }
 
+TEST(Occlusion, OfALabelIsSeenOutsideItsOwnSurface)
+{
+  LabelOnNothing slab;
+  slab.ExpectRed(slab.DrawnRed());
+  EXPECT_TRUE(slab.scene.ShaderParts().empty()) << "a shader has drawn it";
+}
+
 // So few pixels cannot tell 99.9 % of them; the reference takes half a minute for these.
 TEST(Occlusion, KeepsTheErrorToleranceInAllButSinglePixels)
 {

@@ -1,6 +1,5 @@
 // Ambient occlusion by shaders, compared with closed forms and with that by packets of rays.
 
-#include "Module/LabelledTorso.h"
 #include "Module/OccludedScenes.h"
 #include "Module/ProcessorMarching.h"
 #include "Support/ExpectedVtkErrors.h"
@@ -24,25 +23,6 @@ namespace
 
 constexpr double LongStepMm = 0.5;
 constexpr double ShortStepMm = 0.25;
-
-// Gives the upper voxels of a slab, from a height on, a label of another opacity.
-void LabelFrom(int voxel, double opacityPerMm, OccludedSlab& slab)
-{
-  const double below = slab.extinctionAt(0.0);
-  const double above = -std::log1p(-opacityPerMm);
-  const double faceMm = voxel - 0.5;
-  slab.extinctionAt = [=](double heightMm) { return heightMm < faceMm ? below : above; };
-  slab.depthBelow = [=](double heightMm)
-  { return below * std::min(heightMm, faceMm) + above * std::max(heightMm - faceMm, 0.0); };
-  vtkVolumeProperty* const property = slab.scene.volume->GetProperty();
-  vtkNew<vtkPiecewiseFunction> opacities;
-  opacities->AddPoint(0.0, opacityPerMm);
-  property->SetLabelScalarOpacity(1, opacities);
-  property->SetLabelColor(1, slab.scene.colors);
-  slab.scene.mapper->SetMaskInput(MaskOf(
-    { 9, 9, 9 }, [voxel](glm::ivec3 place) { return place.z >= voxel ? 1 : 0; },
-    VTK_UNSIGNED_CHAR));
-}
 
 double MiddleOfBox(double heightMm)
 {
@@ -108,22 +88,15 @@ TEST(OcclusionByShaders, OfBoxesIsThatOfTheirMiddles)
 TEST(OcclusionByShaders, GoesThroughTheMatterOfAllLabels)
 {
   OccludedSlab slab(0.4, 0.8, 6.0);
-  LabelFrom(4, 0.15, slab);
+  LabelFrom(4, 8, 0.15, slab);
   EXPECT_NEAR(slab.RedByShaders(ShortStepMm), slab.ExpectedRed(), 2.0 * HalfByteStep);
 }
 
-// A label faces the side on which it ends; inside of it a place sees what is around itself.
 TEST(OcclusionByShaders, OfALabelIsSeenOutsideItsOwnSurface)
 {
-  OccludedSlab slab(0.4, 0.8, 6.0);
-  LabelFrom(4, 0.15, slab);
-  slab.scene.mapper->LabelSurfacesOn();
-  slab.seenFrom = [](double heightMm)
-  {
-    const double ofSurface = heightMm < 5.0 ? heightMm - 2.0 : heightMm;
-    return heightMm < 3.5 ? heightMm + 2.0 : ofSurface;
-  };
-  EXPECT_NEAR(slab.RedByShaders(ShortStepMm), slab.ExpectedRed(), 2.0 * HalfByteStep);
+  LabelOnNothing slab;
+  slab.ExpectRed(slab.RedByShaders(LabelOnNothing::SegmentMm));
+  EXPECT_TRUE(slab.scene.UsesShaderPart("Outside/Labels.glsl"));
 }
 
 // The voxels to the right of the eye are not numbers from 15 mm on, so that matter ends at 10 mm.
@@ -234,7 +207,7 @@ TEST(OcclusionByShaders, IsDrawnWithinBoundedMemoryAndLeftOutOfBlocksWithASenten
 TEST(OcclusionByShaders, OfManyPlacesIsDoubtedWithoutAGraphicsCard)
 {
   OccludedSlab slab(0.1, 0.5, 60.0);
-  LabelFrom(4, 0.1, slab);
+  LabelFrom(4, 8, 0.1, slab);
   slab.scene.mapper->SetErrorTolerance(1.0 / 256.0);
   const ExpectedVtkErrors warnings;
   slab.scene.Draw();

@@ -32,6 +32,13 @@ vtkSmartPointer<vtkImageData> FacingBox(glm::dvec3 sizeMm)
   return CenteredImage({ 5, 4, 6 }, sizeMm, [](glm::dvec3 voxel) { return 1.0 + voxel.z; });
 }
 
+// A ball in the middle of the world, in a cube of a side [mm].
+vtkSmartPointer<vtkImageData> Ball(double side)
+{
+  return CenteredImage({ 14, 14, 14 }, glm::dvec3(side),
+    [](glm::dvec3 voxel) { return BallField(voxel, glm::dvec3(6.5)); });
+}
+
 enum class Caster
 {
   Lit,
@@ -141,9 +148,7 @@ TEST(VolumesInLight, OfASoftLightKeepTheErrorTolerance)
 TEST(VolumesInLight, DimASoftLightDirectionByDirection)
 {
   OverlapScene scene(12);
-  const auto ball = CenteredImage({ 14, 14, 14 }, { 13.4, 13.4, 13.4 },
-    [](glm::dvec3 voxel) { return BallField(voxel, glm::dvec3(6.5)); });
-  scene.Add(0, ball, ballLooks[0])->GetProperty()->ShadeOn();
+  scene.Add(0, Ball(13.4), ballLooks[0])->GetProperty()->ShadeOn();
   for (int port : { 1, 2 })
   {
     vtkVolume* const plate =
@@ -154,6 +159,7 @@ TEST(VolumesInLight, DimASoftLightDirectionByDirection)
   UseLight(scene, light);
   MapperOf(scene)->SetErrorTolerance(Tolerance);
   ExpectWithin(scene.DrawByProcessor(), TruthInLight(scene, light, 1e-3));
+  EXPECT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
 }
 
 class LightPastGeometry : public testing::TestWithParam<double>
@@ -205,9 +211,7 @@ class ShadowOnAnother : public testing::TestWithParam<Caster>
 TEST_P(ShadowOnAnother, IsCastByAVolumeThatDoesNotOverlap)
 {
   OverlapScene scene(16);
-  const auto ball = CenteredImage({ 14, 14, 14 }, { 14.0, 14.0, 14.0 },
-    [](glm::dvec3 voxel) { return BallField(voxel, glm::dvec3(6.5)); });
-  scene.Add(0, ball, ballLooks[0])->GetProperty()->ShadeOn();
+  scene.Add(0, Ball(14.0), ballLooks[0])->GetProperty()->ShadeOn();
   vtkVolume* const box =
     scene.Add(1, FacingBox({ 3.0, 9.0, 9.0 }), { { 0.3, 0.3, 0.9 }, -2.0, -1.0, 0.3 });
   box->SetPosition(9.0, 2.0, 0.0);
@@ -305,6 +309,37 @@ TEST(VolumesInLight, WithoutShadowsHaveNeitherCodeNorLattices)
   EXPECT_TRUE(UsesPart(balls.scene, "Reach/None.glsl"));
 }
 
+// Factors of a light have smaller errors than all of it.
+TEST(VolumesInLight, KeepNoLightThatOneOfThemHadAlone)
+{
+  const OverlapLight light{ { { fromTheSide } } };
+  const auto first = Ball(14.0);
+  const auto addFirst = [&](OverlapScene& scene)
+  {
+    scene.Add(0, first, ballLooks[1])->GetProperty()->ShadeOn();
+    UseLight(scene, light);
+    MapperOf(scene)->SetErrorTolerance(1.0 / 255.0);
+  };
+  const auto drawBoth = [&](OverlapScene& scene)
+  {
+    scene.Add(1, FacingBox({ 3.0, 9.0, 9.0 }), { { 0.3, 0.3, 0.9 }, -2.0, -1.0, 0.1 })
+      ->SetPosition(6.0, 2.0, 0.0);
+    UseLight(scene, light);
+    return scene.DrawByProcessor();
+  };
+  OverlapScene kept(24);
+  addFirst(kept);
+  const std::vector<float> alone = kept.DrawByProcessor();
+  const int ofOne = MapperOf(kept)->GetLightLatticeBuilds();
+  EXPECT_EQ(ofOne, 1);
+  OverlapScene fresh(24);
+  addFirst(fresh);
+  const std::vector<float> both = drawBoth(kept);
+  EXPECT_EQ(both, drawBoth(fresh));
+  EXPECT_NE(both, alone);
+  EXPECT_EQ(MapperOf(kept)->GetLightLatticeBuilds(), ofOne + 2);
+}
+
 // A plane cuts away the half of both volumes that is towards the light.
 TEST(VolumesInLight, ThatAreClippedCastNoShadows)
 {
@@ -326,4 +361,5 @@ TEST(VolumesInLight, ThatAreClippedCastNoShadows)
   // The eye sees exp(-e z) of what exp(-e z) of the light excites at depth z.
   const double expected = 0.8 * look.color.r * 0.5 * (1.0 - std::exp(-2.0 * extinction * 4.0));
   EXPECT_NEAR(scene.DrawByProcessor()[4 * (8 * 16 + 8)], expected, Tolerance);
+  EXPECT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
 }
