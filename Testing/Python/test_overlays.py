@@ -45,5 +45,31 @@ def overlays_are_drawn_with_their_volume():
             assert words in str(error), error
 
 
+def overlays_take_light_from_their_volume():
+    """A block beside a volume darkens it, by a shadow and by what it hides of all around."""
+    array = numpy.full((16, 16, 16), 100, numpy.int16)
+    array[[0, -1]] = array[:, [0, -1]] = array[:, :, [0, -1]] = 0
+    look = {"color": "white", "opacity": [(50, 0), (100, 0.5)]}
+    # The block is at the patient's left, on the right of the image, and outside of it.
+    beside = [{"volume": array, **look, "move": (16, 0, 0)}]
+    for light in (
+        {"lights": [{"kind": "camera", "direction": (1, 0, 0.5)}], "shadows": True},
+        {"occlusion": 1, "occlusion_reach": 12},
+    ):
+        for arguments in ({}, light):
+            scene = {**WHITE, **look, "shade": True, "parallel": True, **arguments}
+            scene["lights"] = light.get("lights", [{"kind": "head"}])
+            alone = varimarch.render(array, **scene)
+            both = varimarch.render(array, overlays=beside, **scene)
+            middle = alone.shape[1] // 2
+            far = both[:, :middle].mean() / alone[:, :middle].mean()
+            near = both[:, middle:].mean() / alone[:, middle:].mean()
+            assert abs(far - 1) < 0.01, (arguments, far)
+            if arguments:
+                assert near < 0.95, (arguments, near)
+            else:
+                assert abs(near - 1) < 0.01, near
+
+
 if __name__ == "__main__":
     globals()[sys.argv[1]]()
