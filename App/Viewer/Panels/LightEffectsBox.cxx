@@ -73,9 +73,9 @@ QFormLayout* LightEffectsBox::MakeShadows()
   auto* const rows = new QFormLayout;
   this->shadows = this->MakeSlider(
     "shadows", { 0.0, 1.0 }, tr("shadows"), [](Scene& scene) -> double& { return scene.shadows; });
-  this->shadows->setToolTip(
-    tr("How dark the shadows are that the volume casts on itself, from lights that are not at the "
-       "eye; 0 is off. An image takes about three times as long."));
+  this->shadows->setToolTip(tr(
+    "How dark the shadows are that volumes cast on themselves and on each other, from lights that "
+    "are not at the eye; 0 is off. An image takes about three times as long."));
   rows->addRow(tr("Shadows"), this->shadows);
   return rows;
 }

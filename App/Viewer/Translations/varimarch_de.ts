@@ -1812,8 +1812,8 @@ Masken nicht unterstützt</translation>
         <translation>Licht der Vorgabe</translation>
     </message>
     <message>
-        <source>How dark the shadows are that the volume casts on itself, from lights that are not at the eye; 0 is off. An image takes about three times as long.</source>
-        <translation>Wie dunkel die Schatten sind, die das Volumen auf sich selbst wirft, von Lichtern, die nicht am Auge sind; 0 ist aus. Ein Bild dauert etwa dreimal so lange.</translation>
+        <source>How dark the shadows are that volumes cast on themselves and on each other, from lights that are not at the eye; 0 is off. An image takes about three times as long.</source>
+        <translation>Wie dunkel die Schatten sind, die die Volumen auf sich selbst und aufeinander werfen, von Lichtern, die nicht am Auge sind; 0 ist aus. Ein Bild dauert etwa dreimal so lange.</translation>
     </message>
     <message>
         <source>shadows</source>

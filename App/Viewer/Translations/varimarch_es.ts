@@ -1812,8 +1812,8 @@ no admite máscaras</translation>
         <translation>luz del preajuste</translation>
     </message>
     <message>
-        <source>How dark the shadows are that the volume casts on itself, from lights that are not at the eye; 0 is off. An image takes about three times as long.</source>
-        <translation>Cómo de oscuras son las sombras que el volumen proyecta sobre sí mismo, de luces que no están en el ojo; 0 es apagado. Una imagen tarda unas tres veces más.</translation>
+        <source>How dark the shadows are that volumes cast on themselves and on each other, from lights that are not at the eye; 0 is off. An image takes about three times as long.</source>
+        <translation>Cómo de oscuras son las sombras que los volúmenes proyectan sobre sí mismos y unos sobre otros, de luces que no están en el ojo; 0 es apagado. Una imagen tarda unas tres veces más.</translation>
     </message>
     <message>
         <source>shadows</source>
