@@ -11,12 +11,20 @@
 #include "vtk_glew.h"
 #endif
 
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkInformation.h"
 #include "vtkOpenGLActor.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+
+// The mapper of polygons in blocks.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#include "vtkCompositePolyDataMapper.h"
+#else
+#include "vtkCompositePolyDataMapper2.h"
+#endif
 
 #include <string>
 
@@ -90,6 +98,20 @@ inline bool WritesDepth(vtkVolume* volume)
   (void)volume;
   return false;
 #endif
+}
+
+/// The mapper of polygons in blocks whose visibility and colour can be set.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+using BlockMapper = vtkCompositePolyDataMapper;
+#else
+using BlockMapper = vtkCompositePolyDataMapper2;
+#endif
+
+/// The visibility and the colours of a mapper's blocks; null if it has none.
+inline vtkCompositeDataDisplayAttributes* BlockAttributesOf(vtkMapper* mapper)
+{
+  auto* const ofBlocks = BlockMapper::SafeDownCast(mapper);
+  return ofBlocks ? ofBlocks->GetCompositeDataDisplayAttributes() : nullptr;
 }
 
 /// A function that gives the address of one of OpenGL's functions.

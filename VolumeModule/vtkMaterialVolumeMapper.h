@@ -63,12 +63,19 @@ public:
    *
    * Opaque geometry casts shadows on the volume too: the faces of the renderer's visible actors,
    * also in assemblies and outside the view, as far as their mappers' clipping planes leave them.
-   * Translucent actors, lines, points, wireframes, glyphs and widgets cast none, nor does a prop
-   * with the key CASTS_SHADOWS set to 0, nor more than two million triangles. The same faces
-   * receive the shadows of volumes: the colours that VTK has drawn are multiplied by the part of
-   * their light that is left. Depth peeling, RenderToImage, shader code of the user, shaders for
-   * overlapping volumes or blocks, and images during interaction (see MinimumImageSampleDistance)
-   * leave that out. VTK lets geometry cast shadows on geometry (vtkShadowMapPass).
+   * Translucent actors, lines, points, wireframes, glyphs, a vtkSkybox and representations of
+   * widgets cast none (actors of a vtk3DWidget do), nor does a prop with the key CASTS_SHADOWS set
+   * to 0, nor more than two million triangles, nor a vtkDataSetMapper of other data than polygons
+   * before its first drawing, nor does geometry take away scattered light without Shadows.
+   *
+   * The same faces receive the shadows of the volume: the colours that VTK has drawn are multiplied
+   * by the part of their light that is left, also those of lines or glyphs that lie on a face.
+   * Depth peeling, RenderToImage, shader code of the user, shaders for overlapping volumes or
+   * blocks, and images during interaction (see MinimumImageSampleDistance) leave that out. So does
+   * a renderer that shows translucent geometry or another volume with a mapper of its own, whose
+   * colours the shadows would darken too: put volumes into one vtkMultiVolume. A volume outside the
+   * view, which VTK does not draw, leaves no shadow. VTK lets geometry cast shadows on geometry
+   * (vtkShadowMapPass).
    */
   vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
   vtkGetMacro(Shadows, vtkTypeBool);

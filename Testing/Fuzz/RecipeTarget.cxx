@@ -73,6 +73,9 @@ void ChooseImage(ChosenNumbers& numbers, RenderSettings& settings)
   const bool isOne = settings.components == Components::One;
   settings.shading = !IsProjection(settings.blend) && numbers.Flag();
   settings.lights = settings.shading && numbers.Flag();
+  settings.shadows = settings.lights && settings.blend == Blend::Composite && numbers.Flag();
+  settings.softLights = settings.shadows && numbers.Flag();
+  settings.casters = settings.shadows && numbers.Flag();
   settings.damping = settings.shading && isOne && numbers.Flag();
   settings.countFetches = numbers.Integer(0, 7) == 0;
   settings.sceneGeometry = numbers.Flag();

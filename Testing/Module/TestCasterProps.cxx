@@ -3,14 +3,19 @@
 #include "Module/SlabUnderGeometry.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include "VtkVersions.h"
+
+#include <vtkAppendFilter.h>
 #include <vtkAssembly.h>
 #include <vtkCompositeDataDisplayAttributes.h>
-#include <vtkCompositePolyDataMapper2.h>
 #include <vtkDataSetMapper.h>
+#include <vtkGlyph3DMapper.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkOutlineSource.h>
 #include <vtkPlane.h>
+#include <vtkSkybox.h>
 #include <vtkStripper.h>
 
 #include <gtest/gtest.h>
@@ -61,6 +66,16 @@ std::vector<SheetCase> SheetCases()
     { "clipped elsewhere", true, [](vtkActor* sheet) { Clip(sheet, 1.0); } },
   };
 }
+
+// A skybox that is not drawn, which needs no texture.
+class UndrawnSkybox : public vtkSkybox
+{
+public:
+  static UndrawnSkybox* New() { VTK_STANDARD_NEW_BODY(UndrawnSkybox); }
+  vtkTypeMacro(UndrawnSkybox, vtkSkybox);
+
+  int RenderOpaqueGeometry(vtkViewport*) override { return 0; }
+};
 
 // Red of a slab in the sun under props.
 double RedUnder(const std::vector<vtkProp*>& props)
@@ -115,6 +130,54 @@ TEST(CasterProps, MayHaveAMapperOfDataSets)
   EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), 0.0, 1e-5);
 }
 
+// Two sheets beside the view, of which one lies between the slab and the sun.
+TEST(CasterProps, OfOtherDataSetsCastOnceTheyAreDrawn)
+{
+  vtkNew<vtkAppendFilter> grid;
+  grid->AddInputConnection(Sheet(5.0, 40.0, 20.0)->GetOutputPort());
+  grid->AddInputConnection(Sheet(-40.0, -5.0, 20.0)->GetOutputPort());
+  vtkNew<vtkDataSetMapper> mapper;
+  mapper->SetInputConnection(grid->GetOutputPort());
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), RedUnder({}), 1e-5);
+  vtkNew<vtkActor> drawn;
+  drawn->SetMapper(mapper);
+  EXPECT_NEAR(RedUnder({ drawn }), 0.0, 1e-5);
+}
+
+TEST(CasterProps, AreNoLinesGlyphsAndSkyboxes)
+{
+  const auto sheet = Sheet(-90.0, 90.0, 20.0);
+  vtkNew<vtkOutlineSource> lines;
+  lines->SetBounds(-90.0, 90.0, -90.0, 90.0, 20.0, 20.0);
+  EXPECT_NEAR(RedUnder({ HiddenActor(lines) }), RedUnder({}), 1e-5);
+  vtkNew<vtkGlyph3DMapper> glyphs;
+  glyphs->SetInputConnection(sheet->GetOutputPort());
+  glyphs->SetSourceConnection(sheet->GetOutputPort());
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(glyphs) }), RedUnder({}), 1e-5);
+  vtkNew<UndrawnSkybox> sky;
+  sky->SetMapper(HiddenActor(sheet)->GetMapper());
+  EXPECT_NEAR(RedUnder({ sky }), RedUnder({}), 1e-5);
+}
+
+TEST(CasterProps, TakeNoScatteredLightWithoutShadows)
+{
+  const auto redWith = [](bool hasShadows, bool hasSheet)
+  {
+    SlabUnderGeometry slab;
+    slab.AddSun();
+    slab.scene.mapper->SetShadows(hasShadows);
+    slab.scene.mapper->SetVolumetricScatteringBlending(1.0);
+    slab.scene.mapper->SetGlobalIlluminationReach(1.0);
+    const auto sheet = HiddenActor(Sheet(-90.0, 90.0, 20.0));
+    sheet->SetVisibility(hasSheet);
+    slab.scene.renderer->AddActor(sheet);
+    return slab.DrawnRed();
+  };
+  EXPECT_GT(redWith(false, false), 0.01);
+  EXPECT_NEAR(redWith(false, true), redWith(false, false), 1e-5);
+  EXPECT_NEAR(redWith(true, true), 0.0, 1e-5);
+}
+
 TEST(CasterProps, MayConsistOfBlocksThatAreVisible)
 {
   const auto left = Sheet(-90.0, 0.0, 20.0);
@@ -124,7 +187,7 @@ TEST(CasterProps, MayConsistOfBlocksThatAreVisible)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, left->GetOutput());
   blocks->SetBlock(1, right->GetOutput());
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<varimarch::BlockMapper> mapper;
   mapper->SetInputDataObject(blocks);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);
@@ -133,6 +196,39 @@ TEST(CasterProps, MayConsistOfBlocksThatAreVisible)
   EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), 0.0, 1e-5);
   attributes->SetBlockVisibility(right->GetOutput(), false);
   EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), RedUnder({}), 1e-5);
+}
+
+TEST(CasterProps, InBlocksAreAsVisibleAsTheBlockAround)
+{
+  const auto sheet = Sheet(-90.0, 90.0, 20.0);
+  sheet->Update();
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, sheet->GetOutput());
+  vtkNew<vtkMultiBlockDataSet> outer;
+  outer->SetBlock(0, inner);
+  outer->SetBlock(1, nullptr);
+  vtkNew<varimarch::BlockMapper> mapper;
+  mapper->SetInputDataObject(outer);
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), 0.0, 1e-5);
+  attributes->SetBlockVisibility(inner, false);
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), RedUnder({}), 1e-5);
+  attributes->SetBlockVisibility(sheet->GetOutput(), true);
+  EXPECT_NEAR(RedUnder({ UndrawnActor::Of(mapper) }), 0.0, 1e-5);
+}
+
+// Each plane may cut a triangle into one more.
+TEST(CasterProps, ThatAreCutCountTheTrianglesOfTheirCuts)
+{
+  const auto sheet = Sheet(-90.0, 90.0, 20.0);
+  sheet->SetResolution(800, 700);
+  const auto actor = HiddenActor(sheet);
+  Clip(actor, 1.0);
+  const ExpectedVtkErrors warnings;
+  EXPECT_NEAR(RedUnder({ actor }), RedUnder({}), 1e-5);
+  EXPECT_NE(warnings.Text().find("more than 2097152 triangles"), std::string::npos)
+    << warnings.Text();
 }
 
 TEST(CasterProps, OfTooManyTrianglesAreLeftOutWithASentence)

@@ -49,7 +49,7 @@ std::vector<RenderSettings> RecipesOfVolumesInLight()
 {
   RenderSettings lit;
   lit.overlaps = lit.shading = lit.lights = true;
-  lit.shadows = lit.softLights = lit.shadowsOthers = true;
+  lit.shadows = lit.softLights = lit.casters = lit.shadowsOthers = true;
   lit.components = Components::Independent;
   lit.componentCount = 3;
   RenderSettings unlit;

@@ -240,9 +240,10 @@ void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.settings.cropping = frame.cuts.regions.has_value();
 }
 
+// Light that is scattered is dimmed without Shadows too, but by volumes alone.
 void ChooseCasters(vtkRenderer* renderer, vtkVolume* prop, Frame& frame)
 {
-  if (frame.settings.shadows)
+  if (frame.settings.shadows && frame.material.surfacesInShadow > 0.0)
   {
     frame.casters = ShadowCastersOf(renderer, prop);
     frame.settings.casters = !frame.casters.surfaces.empty();

@@ -1,6 +1,7 @@
 #include "Frame/ShadowCasters.h"
 
 #include "Frame/VolumeGeometry.h"
+#include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkActor.h"
@@ -8,9 +9,8 @@
 #include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkCompositePolyDataMapper2.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
 #include "vtkDataSetMapper.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
@@ -23,6 +23,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
+#include "vtkVolumeCollection.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -47,11 +48,11 @@ bool MayCast(vtkProp* prop)
   return prop->GetVisibility() && !(keys && keys->Has(key) && keys->Get(key) == 0);
 }
 
-// Wires and points have no faces.
+// Wires and points have no faces, and those of a skybox stand for what is infinitely far.
 bool HasOpaqueFaces(vtkActor* actor)
 {
-  return MayCast(actor) && actor->GetMapper() && actor->HasOpaqueGeometry() &&
-    !actor->HasTranslucentPolygonalGeometry() &&
+  return MayCast(actor) && !actor->IsA("vtkSkybox") && actor->GetMapper() &&
+    actor->HasOpaqueGeometry() && !actor->HasTranslucentPolygonalGeometry() &&
     actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
 }
 
@@ -66,6 +67,30 @@ std::vector<glm::dvec4> PlanesOf(vtkMapper* mapper)
     planes.emplace_back(normal, -glm::dot(normal, glm::make_vec3(plane->GetOrigin())));
   }
   return planes;
+}
+
+// The mapper that draws an actor's faces; null if it draws anything else.
+vtkMapper* FaceMapperOf(vtkActor* actor)
+{
+  vtkMapper* mapper = actor->GetMapper();
+  auto* const ofDataSets = vtkDataSetMapper::SafeDownCast(mapper);
+  const bool isOfPolygons = ofDataSets && vtkPolyData::SafeDownCast(ofDataSets->GetInput());
+  if (ofDataSets && !isOfPolygons)
+  {
+    mapper = ofDataSets->GetPolyDataMapper(); // it exists from the first drawing on
+  }
+  const bool isOfFaces = isOfPolygons || vtkPolyDataMapper::SafeDownCast(mapper) ||
+    (mapper && mapper->IsA("vtkCompositePolyDataMapper"));
+  return isOfFaces ? mapper : nullptr;
+}
+
+// True if a mapper takes the colours of data from one of their arrays.
+bool HasColors(vtkMapper* mapper, vtkPolyData* data)
+{
+  int cells = 0;
+  return mapper->GetScalarVisibility() &&
+    vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
 }
 
 // Collects the surfaces of actors.
@@ -99,58 +124,54 @@ public:
 private:
   void AddActor(vtkActor* actor, const glm::dmat4& worldFromData)
   {
-    vtkMapper* mapper = actor->GetMapper();
-    const bool hasColors = mapper->GetScalarVisibility() || actor->GetTexture();
-    // The inner mapper exists from the first drawing on.
-    auto* const ofDataSets = vtkDataSetMapper::SafeDownCast(mapper);
-    const bool isOfPolygons = ofDataSets && vtkPolyData::SafeDownCast(ofDataSets->GetInput());
-    if (ofDataSets && !isOfPolygons)
+    if (vtkMapper* const mapper = FaceMapperOf(actor))
     {
-      mapper = ofDataSets->GetPolyDataMapper();
-    }
-    if (!isOfPolygons && !vtkPolyDataMapper::SafeDownCast(mapper) &&
-      !(mapper && mapper->IsA("vtkCompositePolyDataMapper")))
-    {
-      return;
-    }
-    mapper->Update();
-    const CastingSurface surface = { nullptr, actor->GetProperty(), hasColors, worldFromData,
-      PlanesOf(mapper) };
-    vtkDataObject* const input = mapper->GetInputDataObject(0, 0);
-    this->AddData(vtkPolyData::SafeDownCast(input), surface);
-    auto* const several = vtkCompositeDataSet::SafeDownCast(input);
-    auto* const ofSeveral = vtkCompositePolyDataMapper2::SafeDownCast(mapper);
-    vtkCompositeDataDisplayAttributes* const attributes =
-      ofSeveral ? ofSeveral->GetCompositeDataDisplayAttributes() : nullptr;
-    if (!several)
-    {
-      return;
-    }
-    const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(several->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      vtkDataObject* const part = iterator->GetCurrentDataObject();
-      if (!attributes || !attributes->HasBlockVisibility(part) ||
-        attributes->GetBlockVisibility(part))
-      {
-        this->AddData(vtkPolyData::SafeDownCast(part), surface);
-      }
+      mapper->Update();
+      this->AddBlock(mapper, mapper->GetInputDataObject(0, 0),
+        { nullptr, actor->GetProperty(), false, worldFromData, PlanesOf(mapper) }, true);
     }
   }
 
-  void AddData(vtkPolyData* data, const CastingSurface& surface)
+  // Blocks are as visible as the block that they are in, unless they say otherwise.
+  void AddBlock(vtkMapper* mapper, vtkDataObject* block, CastingSurface surface, bool isVisible)
   {
-    const vtkIdType corners = data ? data->GetPolys()->GetNumberOfConnectivityIds() +
-        data->GetStrips()->GetNumberOfConnectivityIds()
-                                   : 0;
-    const vtkIdType cells = data ? data->GetNumberOfPolys() + data->GetNumberOfStrips() : 0;
+    if (vtkCompositeDataDisplayAttributes* const attributes = BlockAttributesOf(mapper))
+    {
+      isVisible =
+        attributes->HasBlockVisibility(block) ? attributes->GetBlockVisibility(block) : isVisible;
+      surface.hasColors = surface.hasColors || attributes->HasBlockColor(block);
+    }
+    if (auto* const tree = vtkDataObjectTree::SafeDownCast(block))
+    {
+      for (vtkDataObject* part : vtk::Range(tree))
+      {
+        this->AddBlock(mapper, part, surface, isVisible);
+      }
+      return;
+    }
+    auto* const data = vtkPolyData::SafeDownCast(block);
+    if (data && isVisible)
+    {
+      surface.data = data;
+      surface.hasColors = surface.hasColors || HasColors(mapper, data);
+      this->AddSurface(surface);
+    }
+  }
+
+  void AddSurface(const CastingSurface& surface)
+  {
+    vtkPolyData* const data = surface.data;
+    const vtkIdType corners = data->GetPolys()->GetNumberOfConnectivityIds() +
+      data->GetStrips()->GetNumberOfConnectivityIds();
+    const vtkIdType cells = data->GetNumberOfPolys() + data->GetNumberOfStrips();
     if (cells == 0)
     {
       return;
     }
-    this->casters.triangleCount += std::size_t(std::max<vtkIdType>(corners - 2 * cells, 0));
+    // Each plane may add a corner to a triangle that it cuts.
+    this->casters.triangleCount +=
+      std::size_t(std::max<vtkIdType>(corners - 2 * cells, 0)) * (1 + surface.planesWorld.size());
     this->casters.surfaces.push_back(surface);
-    this->casters.surfaces.back().data = data;
     std::vector<double>& numbers = this->casters.fingerprint;
     numbers.push_back(double(reinterpret_cast<std::uintptr_t>(data)));
     numbers.push_back(double(data->GetMTime()));
@@ -164,6 +185,32 @@ private:
 
   ShadowCasters& casters;
 };
+
+// True if what VTK has drawn behind a volume may have colours of another volume or of translucent
+// geometry in it.
+bool HasMixedColorsBehind(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkVolumeCollection* const volumes = renderer->GetVolumes();
+  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+  {
+    auto* const other = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
+    if (other != volume && other->GetVisibility() && other->GetMapper())
+    {
+      return true;
+    }
+  }
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* prop = props->GetNextProp(iterator))
+  {
+    if (prop->GetVisibility() && prop->HasTranslucentPolygonalGeometry())
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 // A corner of cubes that are as large as the volume, so that it stays while the volume moves a
 // little.
@@ -289,6 +336,7 @@ ShadowCasters ShadowCastersOf(vtkRenderer* renderer, vtkVolume* volume)
   {
     casters.surfaces.clear();
   }
+  casters.mayReceive = !HasMixedColorsBehind(renderer, volume);
   casters.originWorld = OriginNear(volume);
   casters.fingerprint.insert(casters.fingerprint.end(), glm::value_ptr(casters.originWorld),
     glm::value_ptr(casters.originWorld) + 3);

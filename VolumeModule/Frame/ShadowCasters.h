@@ -26,7 +26,7 @@ struct CastingSurface
 {
   vtkPolyData* data;
   vtkProperty* property;
-  bool hasColors; ///< True if colours of the data or of a texture replace those of the property.
+  bool hasColors; ///< True if colours of the data or of a block replace those of the property.
   glm::dmat4 worldFromData;
   std::vector<glm::dvec4> planesWorld; ///< They keep what lies on their positive sides.
 };
@@ -38,8 +38,11 @@ struct ShadowCasters
   std::vector<CastingSurface> surfaces;
   glm::dvec3 originWorld = glm::dvec3(0.0); ///< A place near the volume, for triangles of floats.
   std::vector<double> fingerprint;          ///< Everything that the triangles depend on.
-  std::size_t triangleCount = 0;
+  std::size_t triangleCount = 0;            ///< At most as many, with the cuts by planes.
   bool areTooMany = false; ///< True if there are too many triangles: then there are no surfaces.
+  /// True if the surfaces also receive shadows: no other volume and no translucent geometry is
+  /// drawn over their colours before the volume is.
+  bool mayReceive = true;
 };
 
 ShadowCasters ShadowCastersOf(vtkRenderer* renderer, vtkVolume* volume);

@@ -86,9 +86,8 @@ bool GeometryDimming::MayDim(const Frame& frame, const MarchPlan& plan) const
 {
   const bool sees = plan.marcher == Marcher::Processor ||
     (!this->resources.IsInBlocks() && frame.others.empty() && frame.userCode.IsEmpty());
-  return sees && frame.settings.casters && frame.settings.sceneGeometry &&
-    frame.material.surfacesInShadow > 0.0 && !plan.isInteractive &&
-    !this->resources.IsNothingDrawn();
+  return sees && frame.settings.casters && frame.casters.mayReceive &&
+    frame.settings.sceneGeometry && !plan.isInteractive && !this->resources.IsNothingDrawn();
 }
 
 std::vector<std::vector<float>> GeometryDimming::LightByPackets(

@@ -26,8 +26,8 @@ public:
   {
   }
 
-  /// Draws into the current framebuffer if the frame has shadows and geometry in them, and nobody
-  /// interacts: there may be as many pixels of geometry as of the volume.
+  /// Draws into the current framebuffer if the frame has shadows and geometry that may receive
+  /// them, and nobody interacts: there may be as many pixels of geometry as of the volume.
   void Draw(const Frame& frame, const MarchPlan& plan);
 
   std::size_t Bytes() const { return this->image.Bytes() + this->light.Bytes(); }

@@ -83,8 +83,7 @@ GeometryLight::Look GeometryLight::LookOf(std::size_t surface) const
 glm::dvec3 GeometryLight::HeadLightOn(const GeometryReceiver& receiver, const Look& look) const
 {
   const Sent sent = SentBy(receiver, this->towardsHeadWorld, look.power);
-  return sent.diffuse * look.diffuse * this->head.diffuse +
-    sent.specular * look.specular * this->head.specular;
+  return (sent.diffuse * look.diffuse + sent.specular * look.specular) * this->head.diffuse;
 }
 
 glm::dvec3 GeometryLight::LampOn(int lamp, const GeometryReceiver& receiver, const Look& look) const
@@ -101,9 +100,8 @@ glm::dvec3 GeometryLight::LampOn(int lamp, const GeometryReceiver& receiver, con
   const glm::dvec3 toLight = way / distanceMm;
   const double strength = isDistant ? 1.0 : StrengthOf(texels, toLight, distanceMm);
   const Sent sent = SentBy(receiver, toLight, look.power);
-  return strength *
-    (sent.diffuse * look.diffuse * glm::dvec3(texels[1]) +
-      sent.specular * look.specular * glm::dvec3(texels[2]));
+  return strength * (sent.diffuse * look.diffuse + sent.specular * look.specular) *
+    glm::dvec3(texels[1]);
 }
 
 }

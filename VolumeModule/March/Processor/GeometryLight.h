@@ -11,10 +11,11 @@ namespace varimarch
 {
 
 /// The light of opaque geometry as VTK's mapper of polygons draws it: ambient light, and diffuse
-/// and specular light of each lamp by the model of Phong. It tells what of the drawn colours stays
-/// where a volume takes a part of the lamps. Surfaces without lighting, and those by physically
-/// based rendering, keep all of it. If the data or a texture have the colours, these count as
-/// white, which is exact without specular light.
+/// and specular light of each lamp by the model of Phong, both with the lamp's diffuse colour. It
+/// tells what of the drawn colours stays where a volume takes a part of the lamps. Surfaces without
+/// lighting, and those by physically based rendering, keep all of it. If the data or a block have
+/// the colours, these count as white, which is exact without specular light. A texture multiplies
+/// all light alike.
 class GeometryLight
 {
 public:

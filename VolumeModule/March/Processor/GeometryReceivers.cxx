@@ -2,6 +2,7 @@
 
 #include "Core/Geometry/TriangleTree.h"
 
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -29,7 +30,7 @@ namespace
 // The normal of a surface at a place of a triangle, by the normals of its points if it is smooth.
 // All triangles whose corners run counter-clockwise show their front, as in VTK.
 glm::dvec3 NormalAt(const CastingSurface& surface, const SurfaceTriangle& triangle,
-  glm::dvec3 placeWorld, glm::dvec3 toEyeWorld)
+  glm::dvec3 placeWorld, glm::dvec3 againstRayWorld)
 {
   std::array<glm::dvec3, 3> corners;
   for (std::size_t i = 0; i < 3; ++i)
@@ -39,7 +40,7 @@ glm::dvec3 NormalAt(const CastingSurface& surface, const SurfaceTriangle& triang
     corners[i] = glm::dvec3(surface.worldFromData * glm::dvec4(corner, 1.0));
   }
   const glm::dvec3 flat = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const double side = glm::dot(flat, toEyeWorld) < 0.0 ? -1.0 : 1.0;
+  const double side = glm::dot(flat, againstRayWorld) < 0.0 ? -1.0 : 1.0;
   vtkDataArray* const normals = surface.data->GetPointData()->GetNormals();
   if (!normals || surface.property->GetInterpolation() == VTK_FLAT)
   {
@@ -72,6 +73,7 @@ public:
     , viewport(viewport)
     , placeFromClip(
         glm::inverse(glm::translate(ClipFromWorld(frame.view.renderer), frame.casters.originWorld)))
+    , eyeWorld(glm::make_vec3(frame.view.renderer->GetActiveCamera()->GetPosition()))
   {
   }
 
@@ -96,7 +98,8 @@ public:
     const glm::dvec3 placeWorld = start + double(hit->t) * away + this->frame.casters.originWorld;
     const CastingSurface& surface = this->frame.casters.surfaces[triangle.surface];
     return GeometryReceiver{ std::size_t(y) * std::size_t(this->viewport.width) + std::size_t(x),
-      triangle.surface, placeWorld, NormalAt(surface, triangle, placeWorld, -away), -away };
+      triangle.surface, placeWorld, NormalAt(surface, triangle, placeWorld, -away),
+      glm::normalize(this->eyeWorld - placeWorld) };
   }
 
 private:
@@ -134,6 +137,7 @@ private:
   glm::ivec2 depthPixels;
   Viewport viewport;
   glm::dmat4 placeFromClip;
+  glm::dvec3 eyeWorld;
 };
 
 }

@@ -20,7 +20,7 @@ struct GeometryReceiver
   std::size_t surface; ///< Its index in ShadowCasters::surfaces.
   glm::dvec3 placeWorld;
   glm::dvec3 normalWorld; ///< unit vector, on the side of the eye
-  glm::dvec3 toEyeWorld;  ///< unit vector
+  glm::dvec3 toEyeWorld;  ///< unit vector to the camera, in parallel projection too, as in VTK
 };
 
 /// The places of the geometry in Frame::casters that are seen, by the depths of the framebuffer and

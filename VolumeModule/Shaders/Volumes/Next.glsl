@@ -64,9 +64,13 @@ bool ReadSegment(Interval segment)
 // Emission and extinction [1/mm] at a fraction of the segment, [0,1].
 vec4 EmissionAt(float along, Interval segment)
 {
+  if (!absorbs)
+  {
+    return vec4(0.0);
+  }
   vec4 optical = Material(Between(startValues, endValues, along),
     Between(startGradients, endGradients, along), ownRay, mix(segment.enter, segment.exit, along));
-  return absorbs ? vec4(optical.rgb * optical.a, optical.a) : vec4(0.0);
+  return vec4(optical.rgb * optical.a, optical.a);
 }
 
 Mixture MixtureOf(Interval segment)
