@@ -291,7 +291,7 @@ TEST(Components, TakeTheirShadersAndChannelsOnlyWhereTheyAre)
   EXPECT_EQ(std::vector<std::string>(classify, march),
     (std::vector<std::string>{ "Classify/ComponentTables.glsl", "Components/Independent.glsl",
       "Gradient/NoneOfAll.glsl", "Shade/None.glsl", "GradientOpacity/None.glsl", "Values/All.glsl",
-      "Material/Components.glsl", "Blend/Composite.glsl" }));
+      "Material/Components.glsl", "Blend/Composite.glsl", "Sky/None.glsl" }));
   const vtkIdType tables = scene.mapper->GetGraphicsMemoryBytes() - 16 * 16 * 16 * 3 * 4;
   EXPECT_EQ(tables % 16, 0);
   EXPECT_LE(tables, 3 * 1024 * 16);
