@@ -193,5 +193,5 @@ TEST(FunctionsOfTwoValues, TakeTheirShadersOnlyWhereTheyAre)
   const auto march = std::find(classify, parts.end(), "March/MaterialSegments.glsl");
   EXPECT_EQ(std::vector<std::string>(classify, march),
     (std::vector<std::string>{ "ClassifyTwo/Table.glsl", "Gradient/None.glsl", "Shade/None.glsl",
-      "Values/Two.glsl", "Material/TwoValues.glsl", "Blend/Composite.glsl" }));
+      "Values/Two.glsl", "Material/TwoValues.glsl", "Blend/Composite.glsl", "Sky/None.glsl" }));
 }

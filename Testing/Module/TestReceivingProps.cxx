@@ -36,7 +36,7 @@ TEST(ReceivingProps, WaitForTheStillImage)
   EXPECT_TRUE(cube.ShowsShadows());
 }
 
-// What a volume dims behind it would be the colours of the volumes that were drawn before.
+// A volume would dim, behind it, the colours of the volumes that were drawn before.
 TEST(ReceivingProps, AreLeftOutBehindSeveralVolumes)
 {
   CubeAboveFloor cube;
