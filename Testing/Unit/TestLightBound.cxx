@@ -62,22 +62,4 @@ TEST(LevelRefinement, KeepsTheToleranceInShadows)
   }
 }
 
-// Each block of a ray has clear and opaque voxels, so that its bound counts the light of all of
-// them in full.
-TEST(LevelRefinement, EndsInShadowsOfBlocksThatMayBeClear)
-{
-  constexpr double Tolerance = 1.0 / 64.0;
-  const auto speckles = [](const glm::ivec3& place)
-  { return (place.x * 7 + place.y * 13 + place.z * 29) % 11 < 5 ? 0.0 : 100.0; };
-  LevelPictures pictures(speckles, Foggy(0.9, 0.0), glm::dvec4(0.1, 0.9, 0.0, 1.0));
-  pictures.LightFrom({ 1.0, 0.4, -0.3 });
-  BlockLevels levels = pictures.Looks().Begun();
-  std::vector<double> bounds(std::size_t(BoundPixels.x * BoundPixels.y), 1.0);
-  for (int rounds = 0; rounds < 12 && LargestOf(bounds) > Tolerance; ++rounds)
-  {
-    Refine(pictures.Scene(), { Tolerance }, levels, bounds);
-  }
-  EXPECT_LE(LargestOf(bounds), Tolerance);
-}
-
 }
