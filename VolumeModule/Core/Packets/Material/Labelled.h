@@ -78,10 +78,11 @@ public:
       return this->looks.Of(this->surfaces.RowsAt(place), voxels.ValueAt(place), slope.gradient)
         .extinction;
     };
-    const LaneMask isAlong = LaneMask(extinctionAt(Off(placeGrid, inward, AllInt(-1))) <
-      extinctionAt(Off(placeGrid, inward, AllInt(0))));
-    const Lanes3 ofLabel = Select(
-      LaneMask(Dot(inward, inward) > LeastSurface), Off(placeGrid, inward, isAlong), placeGrid);
+    const Lanes3 way = WayOutside(inward, All(0.0f), All(1.0f));
+    const Lanes3 ofSurface =
+      placeGrid + WayOutside(inward, extinctionAt(placeGrid + way), extinctionAt(placeGrid - way));
+    const Lanes3 ofLabel =
+      Select(LaneMask(Dot(inward, inward) > LeastSurface), ofSurface, placeGrid);
     return Select(isLabelled, ofLabel, ofValues);
   }
 

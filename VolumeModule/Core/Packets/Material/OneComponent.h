@@ -4,7 +4,6 @@
 // The optical properties of places, which may depend on gradients.
 // Twin of Material/OneComponent.glsl, Material/ValueAndGradient.glsl and Values/One.glsl.
 
-#include "Core/Fields/LightLattice.h"
 #include "Core/Packets/Blend/Composite.h"
 #include "Core/Packets/Classify/OpticalTable.h"
 #include "Core/Packets/ClassifyTwo/Table.h"
@@ -13,6 +12,7 @@
 #include "Core/Packets/PacketRays.h"
 #include "Core/Packets/Shade/HeadLight.h"
 #include "Core/Packets/Shade/Lights.h"
+#include "Core/Packets/ShaderMath.h"
 
 namespace varimarch
 {
@@ -110,20 +110,13 @@ public:
   }
 
 protected:
-  /// The places from which a surface sees what is around it.
-  static Lanes3 Off(const Lanes3& placeGrid, const Lanes3& direction, LaneMask isAlong)
-  {
-    const Lanes distance = float(LightLattice::SkyDistanceVoxels) * InverseLength(direction);
-    return placeGrid + Select(isAlong, distance, -distance) * direction;
-  }
-
   template <class Extinction>
   Lanes3 OutsideBy(const Slope& slope, const Lanes3& placeGrid, Extinction extinctionOf) const
   {
-    const Lanes perVoxel = 0.5f * Length(slope.gradient); // differences over two voxels
-    const LaneMask isThinnerAbove =
-      LaneMask(extinctionOf(slope.value + perVoxel) < extinctionOf(slope.value - perVoxel));
-    return Off(placeGrid, slope.gradient, isThinnerAbove);
+    const Lanes change = ChangePerVoxel(slope.gradient);
+    return placeGrid +
+      WayOutside(
+        slope.gradient, extinctionOf(slope.value + change), extinctionOf(slope.value - change));
   }
 
   Lanes3 ShadedBy(const Reflector& own, const Lanes3& color, Lanes t) const
