@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 using namespace varimarch;
 
@@ -60,6 +62,28 @@ TEST(LevelRefinement, KeepsTheToleranceInShadows)
       EXPECT_LE(pictures.LargestDifference(levels), tolerance + ShadowStepError) << opacity;
     }
   }
+}
+
+// Blocks beside a thin fog have clear and opaque voxels: a bound counts the light of each block on
+// a ray in full.
+TEST(LevelRefinement, EndsInShadowsOfBlocksThatMayBeClear)
+{
+  constexpr double Tolerance = 1.0 / 8.0;
+  const auto speckles = [](const glm::ivec3& place)
+  {
+    return place.x < 8 ? 1.0 + std::sin(1.7 * place.x + 0.9 * place.y + 1.3 * place.z)
+      : (place.x * 7 + place.y * 13 + place.z * 29) % 11 < 5 ? 0.0
+                                                             : 100.0;
+  };
+  LevelPictures pictures(speckles, Foggy(0.9, 0.0), glm::dvec4(0.1, 0.9, 0.0, 1.0));
+  pictures.LightFrom({ -1.0, 0.15, 0.2 });
+  BlockLevels levels = pictures.Looks().Begun();
+  std::vector<double> bounds(std::size_t(BoundPixels.x * BoundPixels.y), 1.0);
+  for (int rounds = 0; rounds < 12 && LargestOf(bounds) > Tolerance; ++rounds)
+  {
+    Refine(pictures.Scene(), { Tolerance }, levels, bounds);
+  }
+  EXPECT_LE(LargestOf(bounds), Tolerance);
 }
 
 }

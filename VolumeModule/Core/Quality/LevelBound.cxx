@@ -276,11 +276,32 @@ std::size_t TakeMarked(const Marks& taken, BlockLevels& levels)
   return count;
 }
 
+/// Takes voxels for what lies between marked blocks and lights. Where several blocks of a ray share
+/// its tolerance, their light has to be more exact than LightShare alone says.
+void RefineLightOf(
+  const LevelBoundScene& scene, const RefinementRound& round, const Marks& lit, BlockLevels& levels)
+{
+  constexpr double LeastShare = 1e-6;
+  const std::vector<std::uint8_t> isLit(lit.begin(), lit.end());
+  const bool anyIsLit = std::any_of(isLit.begin(), isLit.end(), [](int mark) { return mark != 0; });
+  double share = LightShare;
+  while (anyIsLit && share > LeastShare &&
+    RefineLight(
+      scene.looks, scene.lights, isLit, share * round.tolerance, round.mostBlocks, levels) == 0)
+  {
+    share *= 0.5;
+  }
+}
+
 /// Finds the bounds of pixels anew whose bounds exceed a tolerance.
 void UpdateBounds(const LevelBoundScene& scene, const BlockLevels& levels, double tolerance,
   std::vector<double>& bounds)
 {
-  const std::vector<double> light = LightOf(scene, levels);
+  // Looks of the coarse level allow for any light.
+  const bool hasVoxels = std::find(levels.ofBlocks.begin(), levels.ofBlocks.end(),
+                           BlockLevel::Voxels) != levels.ofBlocks.end();
+  const std::vector<double> light =
+    hasVoxels ? LightOf(scene, levels) : std::vector<double>(levels.ofBlocks.size());
   ForEachPixel(scene.pixels, 0, scene.pixels.y,
     [&](std::size_t pixel, const glm::dvec2& place)
     {
@@ -325,8 +346,7 @@ void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLev
   }
   if (!scene.lights.empty() && count < round.mostBlocks)
   {
-    RefineLight(scene.looks, scene.lights, { findings.lit.begin(), findings.lit.end() },
-      LightShare * round.tolerance, round.mostBlocks - count, levels);
+    RefineLightOf(scene, { round.tolerance, round.mostBlocks - count }, findings.lit, levels);
     UpdateBounds(scene, levels, round.tolerance, bounds);
   }
 }

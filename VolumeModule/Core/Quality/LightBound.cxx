@@ -53,40 +53,71 @@ double Behind(double mm, const Matter& matter, double within)
   return within * std::exp(-mm * double(matter.least));
 }
 
+/// The differences of transmittances along the columns of a light, slab by slab from the light on.
+class ColumnDifferences
+{
+public:
+  explicit ColumnDifferences(const LightSlabs& slabs)
+    : slabs(slabs)
+    , behind(slabs.NumberCount())
+    , within(slabs.NumberCount())
+  {
+  }
+
+  /// Goes to the next slab.
+  void Enter(int slab)
+  {
+    const Blocks columns = this->slabs.ColumnsIn(slab);
+    const Blocks wasIn = this->slabs.ColumnsIn(std::min(slab + 1, this->slabs.Count() - 1));
+    tbb::parallel_for(columns.first.y, columns.last.y + 1,
+      [&](int row)
+      {
+        for (int i = columns.first.x; i <= columns.last.x; ++i)
+        {
+          const glm::ivec2 column(i, row);
+          const std::size_t number = this->slabs.NumberOf(column);
+          const double before = wasIn.Contain(column) ? this->behind[number] : 0.0;
+          const Matter matter = this->slabs.MatterIn(slab, column);
+          this->within[number] = std::min(before + Changed(this->slabs.Mm(), matter), 1.0);
+          this->behind[number] = Behind(this->slabs.Mm(), matter, this->within[number]);
+        }
+      });
+  }
+
+  /// The largest difference at places of a block in the slab.
+  double LargestIn(int slab, const glm::ivec2& block) const
+  {
+    const Blocks columns = this->slabs.ColumnsOf(slab, block);
+    double most = 0.0;
+    for (int y = columns.first.y; y <= columns.last.y; ++y)
+    {
+      for (int x = columns.first.x; x <= columns.last.x; ++x)
+      {
+        most = std::max(most, this->within[this->slabs.NumberOf({ x, y })]);
+      }
+    }
+    return most;
+  }
+
+private:
+  const LightSlabs& slabs;
+  std::vector<double> behind; ///< behind the slabs so far
+  std::vector<double> within; ///< in the present slab
+};
+
 /// Adds the bounds of one light to those of all blocks.
 void AddBounds(const LightSlabs& slabs, double strength, std::vector<double>& bounds)
 {
-  std::vector<double> behind(slabs.ColumnCount()); // the difference behind the slabs so far
-  std::vector<double> within(slabs.ColumnCount()); // that in the present slab
+  ColumnDifferences differences(slabs);
+  const glm::ivec2 across = slabs.Across();
   for (int slab = slabs.Count() - 1; slab >= 0; --slab)
   {
-    tbb::parallel_for(0, slabs.Rows(),
-      [&](int row)
-      {
-        for (int i = 0; i < slabs.ColumnsPerRow(); ++i)
-        {
-          const glm::ivec2 column = slabs.ColumnAt(row, i);
-          const std::size_t index = slabs.IndexOf(column);
-          const Matter matter = slabs.MatterIn(slab, column);
-          within[index] = std::min(behind[index] + Changed(slabs.Mm(), matter), 1.0);
-          behind[index] = Behind(slabs.Mm(), matter, within[index]);
-        }
-      });
-    const glm::ivec2 across = slabs.Across();
+    differences.Enter(slab);
     for (int y = 0; y < across.y; ++y)
     {
       for (int x = 0; x < across.x; ++x)
       {
-        const Blocks columns = slabs.ColumnsOf(slab, { x, y });
-        double most = 0.0;
-        for (int v = columns.first.y; v <= columns.last.y; ++v)
-        {
-          for (int u = columns.first.x; u <= columns.last.x; ++u)
-          {
-            most = std::max(most, within[slabs.IndexOf({ u, v })]);
-          }
-        }
-        bounds[slabs.PlaceOf(slab, { x, y })] += strength * most;
+        bounds[slabs.PlaceOf(slab, { x, y })] += strength * differences.LargestIn(slab, { x, y });
       }
     }
   }
@@ -138,8 +169,9 @@ public:
   /// @param isLit  not 0 for blocks that count
   void Refine(const glm::ivec2& column, const std::vector<std::uint8_t>& isLit, double tolerance)
   {
+    const SlabRange range = this->slabs.SlabsOf(column);
     double behind = 0.0;
-    for (int slab = this->slabs.Count() - 1; slab >= 0; --slab)
+    for (int slab = range.last; slab >= range.first; --slab)
     {
       const Matter matter = this->slabs.MatterIn(slab, column);
       const double within = behind + Changed(this->slabs.Mm(), matter);
@@ -149,7 +181,7 @@ public:
       if (counts && within > tolerance && this->TakeBehind(slab, column, tolerance))
       {
         behind = 0.0;
-        slab = this->slabs.Count(); // the column begins anew
+        slab = range.last + 1; // the column begins anew
         continue;
       }
       behind = Behind(this->slabs.Mm(), matter, within);
@@ -169,7 +201,7 @@ private:
   {
     std::vector<Change> changes;
     double transmitted = 1.0;
-    for (int slab = firstSlab; slab < this->slabs.Count(); ++slab)
+    for (int slab = firstSlab; slab <= this->slabs.SlabsOf(column).last; ++slab)
     {
       const Matter matter = this->slabs.MatterIn(slab, column);
       // A place in the first slab need not have matter in front of it.
@@ -243,11 +275,13 @@ std::size_t RefineLight(const BlockLooks& looks, const std::vector<LevelLight>& 
     const LightSlabs slabs(looks.CellsPerSide(), levels, matters, light.towardsGrid);
     ColumnRefinement refinement(looks, slabs, levels, matters);
     const double share = tolerance / (light.strength * double(lights.size()));
-    for (int row = 0; row < slabs.Rows(); ++row)
+    const Blocks columns = slabs.AllColumns();
+    for (int y = columns.first.y; y <= columns.last.y; ++y)
     {
-      for (int i = 0; i < slabs.ColumnsPerRow() && taken + refinement.Taken() < mostBlocks; ++i)
+      for (int x = columns.first.x; x <= columns.last.x && taken + refinement.Taken() < mostBlocks;
+           ++x)
       {
-        refinement.Refine(slabs.ColumnAt(row, i), counts, share);
+        refinement.Refine({ x, y }, counts, share);
       }
     }
     taken += refinement.Taken();

@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -23,15 +24,29 @@ struct Matter
   float change = 0.0f; ///< the most by which the levels differ [1/mm]
 };
 
-/// Blocks in the plane of a slab.
+/// Blocks, or columns of rays, in the plane of a slab.
 struct Blocks
 {
   glm::ivec2 first;
   glm::ivec2 last; ///< included
+
+  bool Contain(const glm::ivec2& one) const
+  {
+    return one.x >= this->first.x && one.y >= this->first.y && one.x <= this->last.x &&
+      one.y <= this->last.y;
+  }
+};
+
+/// Slabs that follow each other.
+struct SlabRange
+{
+  int first;
+  int last; ///< included; less than the first: there are none
 };
 
 /// The blocks of a volume in slabs across the axis along which a light shines most, and the columns
-/// of rays to it. Columns are counted where their rays meet slab 0 from the eye of the light.
+/// of rays
+/// to it. A column is named by where its rays meet slab 0, seen from the light.
 class LightSlabs
 {
 public:
@@ -52,9 +67,6 @@ public:
     {
       this->shear[i] = towardsGrid[this->across[i]] / size[this->axis];
     }
-    const glm::dvec2 ends = double(this->Count()) * this->shear;
-    this->firstColumn = glm::ivec2(glm::floor(glm::min(-ends, glm::dvec2(0.0)))) - 1;
-    this->columnCount = this->Across() + glm::ivec2(glm::ceil(glm::abs(ends))) + 3;
   }
 
   int Count() const { return this->levels.count[this->axis]; }
@@ -63,22 +75,57 @@ public:
   {
     return { this->levels.count[this->across[0]], this->levels.count[this->across[1]] };
   }
-  std::size_t ColumnCount() const
+  /// The columns whose rays may be in the volume in a slab.
+  Blocks ColumnsIn(int slab) const
   {
-    return std::size_t(this->columnCount.x) * std::size_t(this->columnCount.y);
+    return { this->ColumnsOf(slab, { 0, 0 }).first,
+      this->ColumnsOf(slab, this->Across() - 1).last };
   }
-  int Rows() const { return this->columnCount.y; }
+
+  /// All columns.
+  Blocks AllColumns() const
+  {
+    const Blocks near = this->ColumnsIn(0);
+    const Blocks far = this->ColumnsIn(this->Count() - 1);
+    return { glm::min(near.first, far.first), glm::max(near.last, far.last) };
+  }
+
+  /// The slabs in which rays of a column may be in the volume, and perhaps some more.
+  SlabRange SlabsOf(const glm::ivec2& column) const
+  {
+    constexpr double Margin = 2.0; // rays of a column, and their shift in a slab
+    SlabRange range{ 0, this->Count() - 1 };
+    for (int i = 0; i < 2; ++i)
+    {
+      const double from = -Margin - double(column[i]);
+      const double to = double(this->Across()[i]) + Margin - double(column[i]);
+      if (std::abs(this->shear[i]) * double(this->Count()) > 1.0)
+      {
+        const auto [first, last] = std::minmax({ from / this->shear[i], to / this->shear[i] });
+        range.first = std::max(range.first, int(std::floor(std::max(first, 0.0))));
+        range.last = int(std::min(double(range.last), std::ceil(last)));
+      }
+    }
+    return range;
+  }
+
+  /// Numbers of columns that no two columns of a slab share, less than NumberCount().
+  std::size_t NumberOf(const glm::ivec2& column) const
+  {
+    const glm::ivec2 count = this->NumbersAcross();
+    const glm::ivec2 own = (column % count + count) % count;
+    return std::size_t(own.y) * std::size_t(count.x) + std::size_t(own.x);
+  }
+  std::size_t NumberCount() const
+  {
+    const glm::ivec2 count = this->NumbersAcross();
+    return std::size_t(count.x) * std::size_t(count.y);
+  }
 
   /// @param slab  counted towards the light
   std::size_t PlaceOf(int slab, const glm::ivec2& block) const
   {
     return this->levels.PlaceOf(this->BlockAt(slab, block));
-  }
-
-  std::size_t IndexOf(const glm::ivec2& column) const
-  {
-    const glm::ivec2 own = column - this->firstColumn;
-    return std::size_t(own.y) * std::size_t(this->columnCount.x) + std::size_t(own.x);
   }
 
   /// The columns whose rays may pass a block.
@@ -137,13 +184,10 @@ public:
     return all;
   }
 
-  glm::ivec2 ColumnAt(int row, int index) const
-  {
-    return this->firstColumn + glm::ivec2(index, row);
-  }
-  int ColumnsPerRow() const { return this->columnCount.x; }
-
 private:
+  // Rays are shifted by at most a block in a slab.
+  glm::ivec2 NumbersAcross() const { return this->Across() + 4; }
+
   glm::ivec3 BlockAt(int slab, const glm::ivec2& block) const
   {
     glm::ivec3 at;
@@ -173,9 +217,7 @@ private:
   glm::ivec2 across; ///< the other axes
   bool ascends;      ///< true if the light is where the axis ascends
   double mm;         ///< length of a ray in a slab
-  glm::dvec2 shear;  ///< blocks per slab
-  glm::ivec2 firstColumn;
-  glm::ivec2 columnCount;
+  glm::dvec2 shear;  ///< blocks per slab, at most 1
 };
 
 }
