@@ -178,16 +178,9 @@ constexpr double CosineToLight = 0.6;
 double RedOfBoxes(double opacity, double red)
 {
   SlabScene slab(opacity, red);
-  vtkVolumeProperty* const property = slab.volume->GetProperty();
-  property->ShadeOn();
-  property->SetAmbient(0.0);
-  property->SetDiffuse(1.0);
-  property->SetSpecular(0.0);
-  property->SetInterpolationTypeToNearest();
-  slab.renderer->AutomaticLightCreationOff();
-  slab.renderer->RemoveAllLights();
+  slab.LightDiffusely();
+  slab.volume->GetProperty()->SetInterpolationTypeToNearest();
   AddLight(slab.renderer, { 80.0, 0.0, 60.0 }, glm::dvec3(0.0));
-  slab.mapper->ShadowsOn();
   slab.mapper->SetErrorTolerance(1.0 / 255.0);
   const std::vector<float> drawn = slab.DrawByProcessor();
   return drawn[4 * (drawn.size() / 8)];
@@ -209,6 +202,22 @@ TEST(LightOfBoxes, OfASlabHasItsClosedForm)
       Red * CosineToLight / Ways * (1.0 - std::exp(-extinction * Ways * SlabMm));
     EXPECT_NEAR(RedOfBoxes(opacity, Red), expected, 1.0 / 255.0) << opacity;
   }
+}
+
+// A bound of the graphics memory that the volume fits into leaves other images to shaders.
+TEST(LightOfBoxes, IsThatOfPacketsOnAnyDevice)
+{
+  LitTorso torso(8);
+  torso.RemoveLabels();
+  torso.scene.mapper->ShadowsOn();
+  torso.scene.mapper->SetProcessorMarching(true);
+  torso.scene.mapper->SetMaximumGraphicsMemory(100000000);
+  torso.scene.mapper->SetErrorTolerance(0.0); // shaders cannot keep it without a graphics card
+  torso.scene.Draw();
+  EXPECT_FALSE(torso.scene.ShaderParts().empty());
+  torso.UseBoxes();
+  torso.scene.Draw();
+  EXPECT_TRUE(torso.scene.ShaderParts().empty());
 }
 
 // All parts of an opaque box are at its face, for floats. A dull one asks for light in few of them.

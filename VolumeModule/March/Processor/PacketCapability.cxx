@@ -1,6 +1,7 @@
 #include "March/Processor/PacketCapability.h"
 
 #include "Core/Packets/PacketTwins.h"
+#include "Core/Recipe/MarchRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/Processor/SoftwareRasterizer.h"
@@ -84,6 +85,14 @@ bool HasPacketRecipe(const Frame& frame)
   return HasTwins(settings) && isMixed && isSampledEvenly && hasPlaces && hasMask;
 }
 
+// True if any of the volumes is drawn as boxes without interpolation.
+bool HasBoxes(const Frame& frame)
+{
+  return IsOfBoxes(frame.settings) ||
+    std::any_of(frame.others.begin(), frame.others.end(),
+      [](const Frame& other) { return IsOfBoxes(other.settings); });
+}
+
 bool IsFinite(VolumeResources& volume)
 {
   return volume.Blocks().Texels().normalized || volume.Packets().AreFinite();
@@ -165,11 +174,13 @@ bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 
 }
 
-// A shader sees one block at a time, and so none of what lies between it and a light. A bound of
-// the graphics memory is about the device, which then draws whatever it can.
+// A shader sees one block at a time, and so none of what lies between it and a light. It asks for
+// light once in a box, which is wrong for dense ones. A bound of the graphics memory is about the
+// device, which then draws whatever it can.
 PacketReason ReasonForPackets(const Frame& frame, bool isDivided)
 {
-  if (IsInWayOfSky(frame.settings) || (IsInWayOfLights(frame.settings) && isDivided))
+  const bool isDimmedInexactly = IsInWayOfLights(frame.settings) && (isDivided || HasBoxes(frame));
+  if (IsInWayOfSky(frame.settings) || isDimmedInexactly)
   {
     return PacketReason::Light;
   }
