@@ -18,6 +18,19 @@ struct SlabScene : MapperScene
     this->LookDown({ 0.0, 0.0, 0.0 }, 0.5);
   }
 
+  /// Gives the slab diffuse light and shadows, and the renderer no light.
+  void LightDiffusely()
+  {
+    vtkVolumeProperty* const property = this->volume->GetProperty();
+    property->ShadeOn();
+    property->SetAmbient(0.0);
+    property->SetDiffuse(1.0);
+    property->SetSpecular(0.0);
+    this->renderer->AutomaticLightCreationOff();
+    this->renderer->RemoveAllLights();
+    this->mapper->ShadowsOn();
+  }
+
 private:
   static vtkSmartPointer<vtkImageData> FallingValues()
   {

@@ -45,14 +45,7 @@ public:
   SlabUnderGeometry()
     : scene(OpacityPerMm, Red)
   {
-    vtkVolumeProperty* const property = this->scene.volume->GetProperty();
-    property->ShadeOn();
-    property->SetAmbient(0.0);
-    property->SetDiffuse(1.0);
-    property->SetSpecular(0.0);
-    this->scene.renderer->AutomaticLightCreationOff();
-    this->scene.renderer->RemoveAllLights();
-    this->scene.mapper->ShadowsOn();
+    this->scene.LightDiffusely();
     this->scene.mapper->SetIntegrationRule(vtkVariationFieldVolumeMapper::Midpoint);
     this->scene.mapper->AutoAdjustSampleDistancesOff();
     this->scene.mapper->SetSampleDistance(0.02f);

@@ -190,12 +190,7 @@ public:
   explicit TorsoUnderBalls(int size)
     : scene(SmallTorso(), size)
   {
-    vtkVolumeProperty* const property = this->scene.volume->GetProperty();
-    property->ShadeOn();
-    property->SetSpecular(0.2);
-    property->SetSpecularPower(5.0);
-    this->scene.mapper->ShadowsOn();
-    UseSunAndLamp(this->scene.renderer);
+    CastShadowsOfSunAndLamp(this->scene);
     const glm::dvec3 center = glm::make_vec3(this->scene.volume->GetCenter());
     const double length = this->scene.volume->GetLength();
     const glm::dvec3 toSun = glm::normalize(glm::dvec3(1.0, -0.5, 2.0));

@@ -28,12 +28,7 @@ public:
   explicit ShadowedTorso(int size)
     : scene(SmallTorso(), size)
   {
-    vtkVolumeProperty* const property = this->scene.volume->GetProperty();
-    property->ShadeOn();
-    property->SetSpecular(0.2);
-    property->SetSpecularPower(5.0);
-    this->scene.mapper->ShadowsOn();
-    UseSunAndLamp(this->scene.renderer);
+    CastShadowsOfSunAndLamp(this->scene);
   }
 
   /// @param opacity  over a millimetre

@@ -32,14 +32,7 @@ public:
   explicit Slab(double opacityPerMm)
     : scene(opacityPerMm, Red)
   {
-    vtkVolumeProperty* const property = this->scene.volume->GetProperty();
-    property->ShadeOn();
-    property->SetAmbient(0.0);
-    property->SetDiffuse(1.0);
-    property->SetSpecular(0.0);
-    this->scene.renderer->AutomaticLightCreationOff();
-    this->scene.renderer->RemoveAllLights();
-    this->scene.mapper->ShadowsOn();
+    this->scene.LightDiffusely();
   }
 
   vtkLight* AddLight(glm::dvec3 position, glm::dvec3 focus = glm::dvec3(0.0))

@@ -38,3 +38,13 @@ void CropToMiddle(MapperScene& scene, int flags)
   scene.mapper->SetCroppingRegionPlanes(planes);
   scene.mapper->SetCroppingRegionFlags(flags);
 }
+
+void CastShadowsOfSunAndLamp(MapperScene& scene)
+{
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  property->ShadeOn();
+  property->SetSpecular(0.2);
+  property->SetSpecularPower(5.0);
+  scene.mapper->ShadowsOn();
+  UseSunAndLamp(scene.renderer);
+}

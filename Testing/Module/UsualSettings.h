@@ -16,6 +16,9 @@ vtkLight* AddLight(vtkRenderer* renderer, glm::dvec3 position, glm::dvec3 focus)
 /// blue highlights.
 void UseSunAndLamp(vtkRenderer* renderer);
 
+/// Gives a scene their light, with highlights, and shadows.
+void CastShadowsOfSunAndLamp(MapperScene& scene);
+
 /// Crops each axis to the middle half of the image's bounds, off all voxels.
 /// @param flags  regions to draw, as for vtkVolumeMapper::SetCroppingRegionFlags
 void CropToMiddle(MapperScene& scene, int flags);
