@@ -34,8 +34,8 @@ struct PacketPiece
 };
 
 /// The march through one content of a tile, see PacketTile.h: a function Along(piece) that returns
-/// the sum at the end of the rays, and LightOn(scene, x, y), which returns
-/// the light on the places of a packet.
+/// the sum at the end of the rays, and LightOn(scene, x, y), which returns the light on the places
+/// of a packet.
 template <class Content>
 struct MarchOf;
 

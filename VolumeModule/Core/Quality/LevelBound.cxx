@@ -138,8 +138,8 @@ double Pass(Channel& channel, const Segment& segment, const ColorBetween& color)
   return std::min(added, width);
 }
 
-/// The parts of a tolerance that the looks of blocks may take where there are lights, and that the
-/// light of blocks may take which counts.
+/// The parts of a tolerance that may be errors of the looks of blocks, where there are lights, and
+/// of the light that reaches them.
 constexpr double LookShare = 0.5;
 constexpr double LightShare = 0.4;
 

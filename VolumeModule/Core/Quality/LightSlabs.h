@@ -45,8 +45,7 @@ struct SlabRange
 };
 
 /// The blocks of a volume in slabs across the axis along which a light shines most, and the columns
-/// of rays
-/// to it. A column is named by where its rays meet slab 0, seen from the light.
+/// of rays to it. A column has the numbers of the place where its rays meet slab 0.
 class LightSlabs
 {
 public:
