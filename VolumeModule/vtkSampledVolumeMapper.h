@@ -57,8 +57,9 @@ public:
    * several components or of rectilinear grids, or with RenderToImage. They also draw with a limit
    * set by MaximumGraphicsMemory.
    *
-   * With a graphics card too, packets draw light that shaders cannot: AmbientOcclusion, and Shadows
-   * and dimmed scattered light of a volume that does not fit into the graphics memory.
+   * With a graphics card too, packets draw Shadows, AmbientOcclusion and scattered light that the
+   * volume dims: they keep light from one image to the next, which takes a shader longer even on
+   * a fast card.
    *
    * Packets read 8 and 16 bit integers and finite floats in place. Voxels of several components, of
    * other types, or with non-finite values are copied first.

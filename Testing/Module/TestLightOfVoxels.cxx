@@ -204,22 +204,6 @@ TEST(LightOfBoxes, OfASlabHasItsClosedForm)
   }
 }
 
-// A bound of the graphics memory that the volume fits into leaves other images to shaders.
-TEST(LightOfBoxes, IsThatOfPacketsOnAnyDevice)
-{
-  LitTorso torso(8);
-  torso.RemoveLabels();
-  torso.scene.mapper->ShadowsOn();
-  torso.scene.mapper->SetProcessorMarching(true);
-  torso.scene.mapper->SetMaximumGraphicsMemory(100000000);
-  torso.scene.mapper->SetErrorTolerance(0.0); // shaders cannot keep it without a graphics card
-  torso.scene.Draw();
-  EXPECT_FALSE(torso.scene.ShaderParts().empty());
-  torso.UseBoxes();
-  torso.scene.Draw();
-  EXPECT_TRUE(torso.scene.ShaderParts().empty());
-}
-
 // All parts of an opaque box are at its face, for floats. A dull one asks for light in few of them.
 TEST(LightOfBoxes, ThatAreOpaqueIsNoMoreThanThatOfAFace)
 {

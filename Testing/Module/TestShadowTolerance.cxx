@@ -303,22 +303,26 @@ TEST(Shadows, OfAVolumeThatDoesNotFitAreThoseOfOneThatDoes)
   const int fields = scene.mapper->GetFieldBuilds();
   scene.renderer->GetActiveCamera()->Azimuth(20.0);
   scene.DrawByProcessor();
-  EXPECT_EQ(scene.mapper->GetFieldBuilds(), fields) << "it is known that the volume does not fit";
+  EXPECT_EQ(scene.mapper->GetFieldBuilds(), fields) << "only the camera has moved";
 }
 
-TEST(Shadows, OfAVolumeThatFitsIntoItsBoundAreLeftToTheDevice)
+// With a bound of the graphics memory a device draws what it can.
+TEST(Shadows, AreDrawnByPacketsOnAnyDevice)
 {
   ShadowedTorso torso(16);
-  torso.scene.mapper->SetProcessorMarching(true);
-  torso.scene.mapper->SetMaximumGraphicsMemory(100000000);
-  torso.scene.Draw();
-  EXPECT_TRUE(torso.scene.UsesShaderPart("Reach/ShadowRays.glsl"));
-  torso.scene.mapper->SetMaximumGraphicsMemory(TooLittleMemory);
-  torso.scene.Draw();
-  EXPECT_TRUE(torso.scene.ShaderParts().empty());
-  torso.scene.mapper->ShadowsOff();
-  torso.scene.Draw();
-  EXPECT_TRUE(torso.scene.UsesShaderPart("Resume/Block.glsl")) << "nothing needs packets";
+  MapperScene& scene = torso.scene;
+  scene.mapper->SetProcessorMarching(true);
+  for (const vtkIdType memory : { vtkIdType(100000000), TooLittleMemory })
+  {
+    const bool fits = memory > TooLittleMemory;
+    scene.mapper->SetMaximumGraphicsMemory(memory);
+    scene.mapper->ShadowsOff();
+    scene.Draw();
+    EXPECT_TRUE(scene.UsesShaderPart(fits ? "Resume/Whole.glsl" : "Resume/Block.glsl")) << memory;
+    scene.mapper->ShadowsOn();
+    scene.Draw();
+    EXPECT_TRUE(scene.ShaderParts().empty()) << memory;
+  }
 }
 
 TEST(Shadows, InBlocksOfShadersAreLeftOutWithASentence)

@@ -121,6 +121,25 @@ std::vector<RenderSettings> RecipesWithStoredGradients()
   return { lit, two, surfaces, counted, joined };
 }
 
+// On devices that round the weights of their filters.
+std::vector<RenderSettings> RecipesFilteredByTexels()
+{
+  RenderSettings plain;
+  plain.filter = Filter::OfTexels;
+  RenderSettings spline = plain;
+  spline.cubic = true;
+  spline.shading = true;
+  RenderSettings stored = plain;
+  stored.shading = true;
+  stored.storedGradients = true;
+  RenderSettings steep = plain;
+  steep.gradientOpacity = true;
+  RenderSettings joined = plain;
+  joined.overlaps = true;
+  joined.others = { joined };
+  return { plain, spline, stored, steep, joined };
+}
+
 std::vector<RenderSettings> RecipesInBlocks()
 {
   std::vector<RenderSettings> recipes;
@@ -297,7 +316,8 @@ std::vector<RenderSettings> EveryRecipe()
     { RecipesOfMaterials(), RecipesOfLinearMaterials(), RecipesOfGrowingSteps(), RecipesWithGaps(),
       RecipesInBlocks(), RecipesOfPictures(), RecipesOfShadows(), RecipesOfOcclusion(),
       RecipesOfSplines(), RecipesWithCuts(), RecipesOfSeveralVolumes(), RecipesOfVolumesInLight(),
-      RecipesFromBehind(), RecipesWithStoredGradients(), ExactRecipes() })
+      RecipesFromBehind(), RecipesWithStoredGradients(), RecipesFilteredByTexels(),
+      ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

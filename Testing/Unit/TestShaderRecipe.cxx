@@ -33,12 +33,12 @@ TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
     (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl",
-      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
-      "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Loop/Segments.glsl",
-      "FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
-      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
-      "Span/None.glsl", "RayMarch.frag.glsl" }));
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Filter/OfDevice.glsl",
+      "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl", "Depth/None.glsl",
+      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/Composite.glsl", "Loop/Segments.glsl", "FourScalars.glsl", "March/Midpoint.glsl",
+      "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
+      "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -272,11 +272,12 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
     (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Interpolation/Linear.glsl",
-      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
-      "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl", "Loop/Cells.glsl",
-      "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
-      "Window/None.glsl", "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
+      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Filter/OfDevice.glsl",
+      "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl", "Depth/None.glsl",
+      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
+      "Blend/MaximumIntensity.glsl", "Loop/Cells.glsl", "March/Extreme.glsl", "Gaps/None.glsl",
+      "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
+      "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
@@ -287,7 +288,7 @@ TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
     // Compare only the parts between the common beginning and the common end.
-    return Parts(parts.begin() + 8, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    return Parts(parts.begin() + 10, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
     (Parts{ "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
@@ -320,18 +321,19 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
       "Clip/None.glsl", "Jitter/None.glsl", "Blend/Composite.glsl", "Volumes/None.glsl",
       // The lit volume.
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
-      "Interpolation/Linear.glsl", "Probe/None.glsl", "Gaps/None.glsl",
-      "Classify/OpticalTable.glsl", "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl",
-      "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
-      "Damping/None.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
+      "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
+      "Probe/None.glsl", "Gaps/None.glsl", "Classify/OpticalTable.glsl",
+      "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
+      "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl", "Step/Fixed.glsl",
+      "Reading/Cells.glsl", "Volumes/Next.glsl",
       // The other volume.
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
-      "Interpolation/Linear.glsl", "Probe/None.glsl", "Gaps/None.glsl",
-      "Classify/OpticalTable.glsl", "Gradient/None.glsl", "Shade/None.glsl",
-      "GradientOpacity/None.glsl", "Values/One.glsl", "Material/OneComponent.glsl",
-      "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl", "March/Several.glsl",
-      "Mask/None.glsl", "Crop/None.glsl", "Window/None.glsl", "Resume/Whole.glsl", "Span/None.glsl",
-      "RayMarch.frag.glsl" }));
+      "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
+      "Probe/None.glsl", "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/None.glsl",
+      "Shade/None.glsl", "GradientOpacity/None.glsl", "Values/One.glsl",
+      "Material/OneComponent.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
+      "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl", "Window/None.glsl",
+      "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, VolumesThatTakeLightFromEachOtherHaveFilesForIt)
@@ -375,7 +377,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 277u);
+  EXPECT_EQ(distinct.size(), 282u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -14,6 +14,7 @@ void TakePlan(const MarchPlan& plan, RenderSettings& settings)
   const bool isWhole = plan.pass != RayPass::Block && !settings.overlaps;
   const bool mayOcclude =
     (plan.marcher == Marcher::Processor || isWhole) && plan.isLit && !plan.isInteractive;
+  settings.filter = settings.nearest ? Filter::OfDevice : plan.filter;
   settings.shading = settings.shading && plan.isLit;
   settings.occlusion = settings.occlusion && mayOcclude;
   settings.occludesOthers = settings.occludesOthers && mayOcclude;

@@ -26,6 +26,7 @@ struct MarchPlan
   Marcher marcher = Marcher::Device;
   Integration integration = Integration::Midpoint;
   bool filters8Bits = false;        ///< True if texels of 8 bits may replace wider ones.
+  Filter filter = Filter::OfDevice; ///< The way to values between texels.
   bool choosesIntegration = false;  ///< True if a trial may still change the integration rule.
   bool triesPreIntegration = false; ///< True if memory suffices for a pre-integrated table.
   ErrorBudget budget;

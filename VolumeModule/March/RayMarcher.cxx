@@ -15,51 +15,19 @@
 namespace varimarch
 {
 
-namespace
-{
-
-// The numbers that decide, apart from the look, whether the device holds a volume only in blocks.
-std::vector<double> DivisionInputsOf(const Frame& frame)
-{
-  const glm::ivec3& voxels = frame.geometry.dimensions;
-  const Viewport& pixels = frame.view.viewport;
-  return { double(frame.device.mostMemoryBytes), double(voxels.x), double(voxels.y),
-    double(voxels.z), double(frame.voxels.components.size()),
-    double(frame.voxels.scalars->GetDataType()), double(frame.settings.mask != Mask::None),
-    double(frame.settings.cubic), double(frame.settings.storedGradients), double(pixels.width),
-    double(pixels.height) };
-}
-
-}
-
 MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQuality>& quality)
 {
   this->EnterWindow(frame.view.window);
   MarchPlan plan = PlanOf(frame, quality);
   this->accumulator.Begin(frame, plan);
-  const MarchPlan begun = plan;
-  const std::vector<double> division = DivisionInputsOf(frame);
-  this->UpdateResources(frame, plan, division);
-  // Whether the memory holds the volume is known only with everything else that has to be in it.
-  if (this->resources.IsInBlocks() && frame.settings.shadows && this->dividedBy != division)
-  {
-    this->dividedBy = division;
-    plan = begun;
-    this->UpdateResources(frame, plan, division);
-  }
+  this->resources.UpdateVoxels(frame);
+  this->ChooseMarcher(frame, plan);
+  this->resources.Update(frame, plan, this->MemoryOfImages());
   if (!this->resources.IsInBlocks())
   {
     this->shaders.ReleaseBlocks(frame.view.window);
   }
   return plan;
-}
-
-void RayMarcher::UpdateResources(
-  const Frame& frame, MarchPlan& plan, const std::vector<double>& division)
-{
-  this->resources.UpdateVoxels(frame);
-  this->ChooseMarcher(frame, plan, this->dividedBy == division);
-  this->resources.Update(frame, plan, this->MemoryOfImages());
 }
 
 std::optional<CommonSteps> RayMarcher::FindSteps(const Frame& frame)
@@ -104,10 +72,9 @@ void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
   this->window = newWindow;
 }
 
-void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivided)
+void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
 {
-  if (ReasonForPackets(frame, isDivided) != PacketReason::None &&
-    CanMarchByPackets(frame, this->resources))
+  if (ShouldMarchByPackets(frame) && CanMarchByPackets(frame, this->resources))
   {
     plan.marcher = Marcher::Processor;
     if (IsMixture(frame))
@@ -119,7 +86,10 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivid
   else
   {
     plan.marcher = Marcher::Device;
-    plan.filters8Bits = this->resources.AnyFits8Bits() && Filters8BitsExactly(frame.view.window);
+    plan.filter =
+      FiltersBetweenTexelsExactly(frame.view.window) ? Filter::OfDevice : Filter::OfTexels;
+    plan.filters8Bits = this->resources.AnyFits8Bits() &&
+      (plan.filter == Filter::OfTexels || Filters8BitsExactly(frame.view.window));
     this->packets.Release(frame.view.window);
   }
   plan.sampleDistanceMm =
@@ -255,7 +225,6 @@ void RayMarcher::Release(vtkWindow* releasedWindow)
   this->accumulator.Release(releasedWindow);
   this->passes.Release(releasedWindow);
   this->tolerance.Forget();
-  this->dividedBy.clear();
   this->window = nullptr;
 }
 

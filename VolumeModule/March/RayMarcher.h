@@ -102,10 +102,7 @@ private:
   /// Updates the resources of a frame, and plans its march.
   MarchPlan Prepare(const Frame& frame, const std::optional<PictureQuality>& quality);
   void EnterWindow(vtkOpenGLRenderWindow* window);
-  /// Chooses the marcher, and updates everything that it reads.
-  /// @param division  the inputs of the volume's division into blocks
-  void UpdateResources(const Frame& frame, MarchPlan& plan, const std::vector<double>& division);
-  void ChooseMarcher(const Frame& frame, MarchPlan& plan, bool isDivided);
+  void ChooseMarcher(const Frame& frame, MarchPlan& plan);
   void SearchSteps(const Frame& frame, MarchPlan& plan);
   void TakeCommonSteps(const Frame& frame, MarchPlan& plan) const;
   ToleranceInputs ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const;
@@ -124,8 +121,6 @@ private:
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };
-  std::vector<double>
-    dividedBy; ///< The inputs of the last division that kept shadows from shaders.
   double usedSampleDistanceMm = 0.0;
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;

@@ -23,9 +23,20 @@ vec3 PositionTexture(Ray ray, float t)
 // The position in the volume texture, for one in the even grid, in which rays are straight.
 vec3 VoxelPlace(vec3 positionTexture);
 
+// --- Filter: values between texels ---
+// The trilinear mean of the texels around a place in a texture, which goes from 0 to 1; beyond the
+// outermost texels it is that at the face. If voxels are boxes, the nearest texel.
+vec4 Filtered(sampler3D volume, vec3 place);
+
+// --- Difference: values between texels that are only subtracted from others ---
+// Like Filtered, for values that are subtracted from those of places whole voxels away.
+vec4 FilteredForDifference(sampler3D volume, vec3 place);
+
 // --- Interpolation: values between voxels ---
 // The values of up to four components.
 vec4 TexelAt(vec3 positionTexture);
+// The same for a value that is subtracted from those of positions whole voxels away.
+vec4 TexelForDifference(vec3 positionTexture);
 // The value of the first component.
 float ScalarAt(vec3 positionTexture);
 // The derivatives per voxel along an axis, which is (1, 0, 0), (0, 1, 0) or (0, 0, 1). Only
@@ -35,6 +46,8 @@ vec4 SlopeAlong(vec3 axis, vec3 positionTexture);
 // --- Probe: fetches voxels, and may count the fetches ---
 // The texel at a position in the volume texture. Every fetch of the volume is done here.
 vec4 StoredAt(vec3 placeTexture);
+// The same for a value that is subtracted from those of places whole voxels away.
+vec4 StoredForDifference(vec3 placeTexture);
 // Counts the fetch of another texture of the volume, if fetches are counted.
 void CountFetch();
 // The colour to draw for a ray that has gathered this colour.

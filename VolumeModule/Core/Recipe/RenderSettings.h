@@ -90,6 +90,13 @@ enum class Mask
   Labels, ///< selects a voxel's transfer functions; composites of one component only
 };
 
+/// The way to a value between texels of a volume.
+enum class Filter
+{
+  OfDevice, ///< the filter of the graphics device, which may round its weights
+  OfTexels, ///< eight texels, with weights as exact as floats
+};
+
 /// The processor that marches the rays of an image.
 enum class Marcher
 {
@@ -158,15 +165,16 @@ struct RenderSettings
   bool sceneGeometry = false; ///< rays end at opaque geometry that is already drawn
   Integration integration = Integration::Midpoint; ///< for composites
   bool nearest = false;                            ///< voxels are boxes of constant value
-  bool cubic = false;    ///< values are those of a spline through the voxels; requires !nearest
-  bool uneven = false;   ///< voxels are unevenly spaced
-  bool clipping = false; ///< rays end at clipping planes
-  bool cropping = false; ///< regions of the volume are left out
-  bool clippedGradients = false; ///< gradients treat cuts as surfaces; one component only
-  bool gaps = false;             ///< cells that touch a non-finite voxel are left out
-  bool fillGaps = false;         ///< with gaps: these cells have a colour instead; composite only
-  bool countFetches = false;     ///< draw the number of fetches of each ray instead of its colour
-  bool skipsBricks = true;       ///< composites with an optical field: enough bricks can be skipped
+  bool cubic = false; ///< values are those of a spline through the voxels; requires !nearest
+  Filter filter = Filter::OfDevice; ///< the way to values between texels; OfDevice if nearest
+  bool uneven = false;              ///< voxels are unevenly spaced
+  bool clipping = false;            ///< rays end at clipping planes
+  bool cropping = false;            ///< regions of the volume are left out
+  bool clippedGradients = false;    ///< gradients treat cuts as surfaces; one component only
+  bool gaps = false;                ///< cells that touch a non-finite voxel are left out
+  bool fillGaps = false;     ///< with gaps: these cells have a colour instead; composite only
+  bool countFetches = false; ///< draw the number of fetches of each ray instead of its colour
+  bool skipsBricks = true;   ///< composites with an optical field: enough bricks can be skipped
   RayPass pass = RayPass::Whole;
   ShaderRole role = ShaderRole::MarchRays;
   bool damping = false;    ///< shading fades where the gradient is small; one component only

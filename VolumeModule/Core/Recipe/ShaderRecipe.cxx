@@ -37,6 +37,20 @@ std::string SpacingFile(const RenderSettings& settings)
   return settings.uneven ? "Spacing/Uneven.glsl" : "Spacing/Even.glsl";
 }
 
+std::string FilterFile(const RenderSettings& settings)
+{
+  return settings.filter == Filter::OfTexels ? "Filter/OfTexels.glsl" : "Filter/OfDevice.glsl";
+}
+
+// Light may take gradients from the device, if places beside each other are whole voxels apart.
+std::string DifferenceFile(const RenderSettings& settings)
+{
+  const bool isForOpacity =
+    settings.gradientOpacity || settings.functionOf == FunctionOf::ValueAndGradient;
+  const bool mayRound = settings.filter == Filter::OfTexels && !isForOpacity && !settings.uneven;
+  return mayRound ? "Difference/OfDevice.glsl" : "Difference/AsFiltered.glsl";
+}
+
 std::string ProbeFile(const RenderSettings& settings)
 {
   return settings.countFetches ? "Probe/FetchCount.glsl" : "Probe/None.glsl";
@@ -133,7 +147,7 @@ std::vector<std::string> LookParts(const RenderSettings& settings)
 // Files for the positions of voxels and the values between them.
 std::vector<std::string> VoxelParts(const RenderSettings& settings)
 {
-  return { SpacingFile(settings),
+  return { SpacingFile(settings), FilterFile(settings), DifferenceFile(settings),
     settings.cubic ? "Interpolation/CubicSpline.glsl" : "Interpolation/Linear.glsl" };
 }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -38,21 +39,22 @@ vtkNew<vtkUnsignedCharArray> ProbedVoxels()
   return voxels;
 }
 
-void DrawDifferences(
-  vtkOpenGLRenderWindow* window, const VolumeTexture& narrow, const VolumeTexture& wide)
+void DrawDifferences(vtkOpenGLRenderWindow* window, const VolumeTexture& filtered,
+  const std::string& filter, const VolumeTexture& wide)
 {
-  const std::string source = AssembleShader(LoadShaderFiles({ "FilterDifference.frag.glsl" }));
+  const std::string source =
+    AssembleShader(LoadShaderFiles({ filter, "FilterDifference.frag.glsl" }));
   vtkOpenGLQuadHelper image(window, nullptr, source.c_str(), "");
   if (!image.Program)
   {
     throw std::runtime_error("Cannot compile the shader FilterDifference.frag.glsl");
   }
-  narrow.Texture()->Activate();
+  filtered.Texture()->Activate();
   wide.Texture()->Activate();
-  image.Program->SetUniformi("narrowTexture", narrow.Texture()->GetTextureUnit());
+  image.Program->SetUniformi("filteredTexture", filtered.Texture()->GetTextureUnit());
   image.Program->SetUniformi("wideTexture", wide.Texture()->GetTextureUnit());
   image.Render();
-  narrow.Texture()->Deactivate();
+  filtered.Texture()->Deactivate();
   wide.Texture()->Deactivate();
 }
 
@@ -68,15 +70,15 @@ std::string NameOfDevice()
   return name;
 }
 
-}
-
-double LargestFilterDifference(vtkOpenGLRenderWindow* window)
+// The largest difference between the same voxels in a texture that a file of Filter/ filters and in
+// one of 16 bits that the device filters, as a fraction of the largest texel.
+double LargestDifference(vtkOpenGLRenderWindow* window, TexelFormat format, const char* filter)
 {
   const vtkNew<vtkUnsignedCharArray> voxels = ProbedVoxels();
   const VoxelComponents components = { { voxels, 0 } };
   const std::vector<ScalarTexels> texels = ScalarTexelsOf(components);
   const ScalarRegion all = { components, glm::ivec3(2), { glm::ivec3(0), glm::ivec3(2) } };
-  VolumeTexture narrow;
+  VolumeTexture filtered;
   VolumeTexture wide;
   FloatFramebuffer target;
   vtkOpenGLState* const state = window->GetState();
@@ -86,19 +88,49 @@ double LargestFilterDifference(vtkOpenGLRenderWindow* window)
     state->vtkglDisable(test);
   }
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  narrow.Upload(window, all, texels, TexelFormat::Integers8);
+  filtered.Upload(window, all, texels, format);
   wide.Upload(window, all, texels, TexelFormat::Integers16);
-  target.Draw(window, ProbedPixels, [&] { DrawDifferences(window, narrow, wide); });
+  target.Draw(window, ProbedPixels, [&] { DrawDifferences(window, filtered, filter, wide); });
   state->Pop();
   double largest = 0.0;
   for (const float difference : target.Read(window, ProbedPixels))
   {
     largest = std::max(largest, double(std::abs(difference)));
   }
-  narrow.Release(window);
+  filtered.Release(window);
   wide.Release(window);
   target.Release(window);
   return largest;
+}
+
+// A property of devices, each of which is measured once.
+class PropertyOfDevices
+{
+public:
+  bool OfCurrent(const std::function<bool()>& measure)
+  {
+    const std::lock_guard<std::mutex> lock(this->access);
+    const std::string device = NameOfDevice();
+    const auto known = this->values.find(device);
+    return known != this->values.end() ? known->second
+                                       : this->values.emplace(device, measure()).first->second;
+  }
+
+private:
+  std::mutex access;
+  std::map<std::string, bool> values;
+};
+
+}
+
+double LargestNarrowDifference(vtkOpenGLRenderWindow* window)
+{
+  return LargestDifference(window, TexelFormat::Integers8, "Filter/OfDevice.glsl");
+}
+
+double LargestWeightDifference(vtkOpenGLRenderWindow* window)
+{
+  return LargestDifference(window, TexelFormat::Integers16, "Filter/OfTexels.glsl");
 }
 
 // A difference of 1/64 of a grey level is the least that gradients, as differences between voxels
@@ -106,18 +138,17 @@ double LargestFilterDifference(vtkOpenGLRenderWindow* window)
 bool Filters8BitsExactly(vtkOpenGLRenderWindow* window)
 {
   constexpr double MostDifference = 1.0 / (64.0 * 255.0);
-  static std::mutex access;
-  static std::map<std::string, bool> exactDevices;
-  const std::lock_guard<std::mutex> lock(access);
-  const std::string device = NameOfDevice();
-  const auto known = exactDevices.find(device);
-  if (known != exactDevices.end())
-  {
-    return known->second;
-  }
-  const bool isExact = LargestFilterDifference(window) <= MostDifference;
-  exactDevices[device] = isExact;
-  return isExact;
+  static PropertyOfDevices property;
+  return property.OfCurrent([&] { return LargestNarrowDifference(window) <= MostDifference; });
+}
+
+// Weights of 12 bits err by at most 2^-13 of the difference between two voxels, too little to show;
+// those of 8 bits, as most graphics cards have them, by 2^-9.
+bool FiltersBetweenTexelsExactly(vtkOpenGLRenderWindow* window)
+{
+  constexpr double MostDifference = 1.0 / 8192.0;
+  static PropertyOfDevices property;
+  return property.OfCurrent([&] { return LargestWeightDifference(window) <= MostDifference; });
 }
 
 }

@@ -15,9 +15,19 @@ namespace varimarch
 /// @throws std::runtime_error if OpenGL has no framebuffer of floats
 VARIMARCHVOLUME_EXPORT bool Filters8BitsExactly(vtkOpenGLRenderWindow* window);
 
+/// True if the device interpolates between texels with weights that are as good as exact. Graphics
+/// cards round them, most of them to parts of 2^-8, which shows where a transfer function is steep.
+/// The first call on a device and its driver draws a small image to find out; later ones remember.
+/// @throws std::runtime_error if OpenGL has no framebuffer of floats
+VARIMARCHVOLUME_EXPORT bool FiltersBetweenTexelsExactly(vtkOpenGLRenderWindow* window);
+
 /// The largest difference between the same voxels filtered in texels of 8 and of 16 bits, as a
 /// fraction of the largest texel. Draws each time.
-VARIMARCHVOLUME_EXPORT double LargestFilterDifference(vtkOpenGLRenderWindow* window);
+VARIMARCHVOLUME_EXPORT double LargestNarrowDifference(vtkOpenGLRenderWindow* window);
+
+/// The largest difference between voxels filtered by the device and with exact weights, as a
+/// fraction of the largest texel. Draws each time.
+VARIMARCHVOLUME_EXPORT double LargestWeightDifference(vtkOpenGLRenderWindow* window);
 
 }
 

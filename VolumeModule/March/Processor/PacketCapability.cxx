@@ -21,11 +21,13 @@ namespace varimarch
 namespace
 {
 
-// True if a shader file does nothing, or something that a shader does for rays of packets too.
+// True if a shader file does nothing, something that a shader does for rays of packets too, or
+// something in which devices differ and packets do not.
 bool NeedsNoTwin(const std::string& file)
 {
   static const std::set<std::string> nothing = { "None", "NoneOfAll", "Even" };
-  static const std::set<std::string> slotsOfDevice = { "Locate", "Peel", "Resume", "Window" };
+  static const std::set<std::string> slotsOfDevice = { "Difference", "Filter", "Locate", "Peel",
+    "Resume", "Window" };
   const std::size_t slash = file.find('/');
   return slash == std::string::npos || slotsOfDevice.count(file.substr(0, slash)) > 0 ||
     nothing.count(file.substr(slash + 1, file.rfind('.') - slash - 1)) > 0;
@@ -83,14 +85,6 @@ bool HasPacketRecipe(const Frame& frame)
   const bool isSampledEvenly = !settings.uneven || (!isLocated && !settings.nearest);
   const bool hasPlaces = !isLocated || !IsProjection(settings.blend);
   return HasTwins(settings) && isMixed && isSampledEvenly && hasPlaces && hasMask;
-}
-
-// True if any of the volumes is drawn as boxes without interpolation.
-bool HasBoxes(const Frame& frame)
-{
-  return IsOfBoxes(frame.settings) ||
-    std::any_of(frame.others.begin(), frame.others.end(),
-      [](const Frame& other) { return IsOfBoxes(other.settings); });
 }
 
 bool IsFinite(VolumeResources& volume)
@@ -174,18 +168,13 @@ bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 
 }
 
-// A shader sees one block at a time, and so none of what lies between it and a light. It asks for
-// light once in a box, which is wrong for dense ones. A bound of the graphics memory is about the
-// device, which then draws whatever it can.
-PacketReason ReasonForPackets(const Frame& frame, bool isDivided)
+// Packets keep the light of places from one image to the next, and take it from there. A shader
+// marches a ray to each light from each sample, and takes seconds to compile: Decision 0045. A
+// bound of the graphics memory is about the device, which then draws whatever it can.
+bool ShouldMarchByPackets(const Frame& frame)
 {
-  const bool isDimmedInexactly = IsInWayOfLights(frame.settings) && (isDivided || HasBoxes(frame));
-  if (IsInWayOfSky(frame.settings) || isDimmedInexactly)
-  {
-    return PacketReason::Light;
-  }
-  return IsSoftwareRasterizer() && frame.device.mostMemoryBytes == 0 ? PacketReason::SoftwareOpenGL
-                                                                     : PacketReason::None;
+  const bool isForSoftware = IsSoftwareRasterizer() && frame.device.mostMemoryBytes == 0;
+  return isForSoftware || IsInWayOfLights(frame.settings) || IsInWayOfSky(frame.settings);
 }
 
 // The voxels are examined last, because that takes time.

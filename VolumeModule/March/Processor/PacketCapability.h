@@ -7,16 +7,9 @@
 namespace varimarch
 {
 
-/// Why packets of rays should march a frame instead of shaders.
-enum class PacketReason
-{
-  None,
-  SoftwareOpenGL, ///< Packets are faster than the shaders of a software rasteriser.
-  Light,          ///< Shaders cannot draw the light: packets march on any device.
-};
-
-/// @param isDivided  true if the graphics memory holds the volume only block by block
-PacketReason ReasonForPackets(const Frame& frame, bool isDivided);
+/// True if packets of rays should march a frame if they can: where OpenGL is software, unless its
+/// memory is bounded, and on any device a frame with shadows or ambient occlusion.
+bool ShouldMarchByPackets(const Frame& frame);
 
 /// True if packets of rays can march a frame: the request allows it, and packets have code for the
 /// recipe and the voxels of every volume.

@@ -6,8 +6,9 @@ vec3 GradientAt(vec3 positionTexture)
   vec3 x = vec3(voxelCountInverse.x, 0.0, 0.0);
   vec3 y = vec3(0.0, voxelCountInverse.y, 0.0);
   vec3 z = vec3(0.0, 0.0, voxelCountInverse.z);
-  vec3 gradient = vec3(ScalarAt(positionTexture + x) - ScalarAt(positionTexture - x),
-    ScalarAt(positionTexture + y) - ScalarAt(positionTexture - y),
-    ScalarAt(positionTexture + z) - ScalarAt(positionTexture - z));
+  vec3 gradient =
+    vec3(TexelForDifference(positionTexture + x).r - TexelForDifference(positionTexture - x).r,
+      TexelForDifference(positionTexture + y).r - TexelForDifference(positionTexture - y).r,
+      TexelForDifference(positionTexture + z).r - TexelForDifference(positionTexture - z).r);
   return HasGradient(positionTexture) ? gradient : vec3(0.0);
 }

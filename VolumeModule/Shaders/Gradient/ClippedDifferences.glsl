@@ -4,7 +4,7 @@
 float ScalarBeside(vec3 positionTexture)
 {
   vec3 positionGrid = positionTexture / voxelCountInverse - 0.5 + firstVoxelGrid;
-  return IsClipped(positionGrid) ? clippedScalar : ScalarAt(positionTexture);
+  return IsClipped(positionGrid) ? clippedScalar : TexelForDifference(positionTexture).r;
 }
 
 vec3 GradientAt(vec3 positionTexture)

@@ -5,6 +5,6 @@
 vec3 GradientAt(vec3 positionTexture)
 {
   CountFetch();
-  vec3 gradient = textureLod(gradientTexture, VoxelPlace(positionTexture), 0.0).rgb;
+  vec3 gradient = FilteredForDifference(gradientTexture, VoxelPlace(positionTexture)).rgb;
   return HasGradient(positionTexture) ? gradient : vec3(0.0);
 }

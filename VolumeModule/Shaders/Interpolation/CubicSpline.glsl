@@ -30,6 +30,11 @@ vec4 TexelAt(vec3 positionTexture)
   return SplineSum(cell, SplineValue(place - cell));
 }
 
+vec4 TexelForDifference(vec3 positionTexture)
+{
+  return TexelAt(positionTexture);
+}
+
 float ScalarAt(vec3 positionTexture)
 {
   return TexelAt(positionTexture).r;

@@ -4,7 +4,12 @@ void CountFetch() {}
 
 vec4 StoredAt(vec3 placeTexture)
 {
-  return textureLod(volumeTexture, placeTexture, 0.0);
+  return Filtered(volumeTexture, placeTexture);
+}
+
+vec4 StoredForDifference(vec3 placeTexture)
+{
+  return FilteredForDifference(volumeTexture, placeTexture);
 }
 
 vec4 Probed(vec4 picture)
