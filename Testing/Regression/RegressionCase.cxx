@@ -10,8 +10,8 @@ vtkHeadlessRenderWindow* RegressionScene::Window() const
 std::vector<RegressionCase> AllRegressionCases()
 {
   std::vector<RegressionCase> all;
-  for (const auto& cases :
-    { InputCases(), BlendCases(), LightCases(), CutCases(), SceneCases(), ImageCases() })
+  for (const auto& cases : { InputCases(), BlendCases(), LightCases(), ShadowCases(), CutCases(),
+         SceneCases(), ImageCases() })
   {
     all.insert(all.end(), cases.begin(), cases.end());
   }

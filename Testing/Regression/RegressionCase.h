@@ -53,6 +53,7 @@ struct RegressionCase
 std::vector<RegressionCase> InputCases();
 std::vector<RegressionCase> BlendCases();
 std::vector<RegressionCase> LightCases();
+std::vector<RegressionCase> ShadowCases(); ///< Opaque geometry beside a volume.
 std::vector<RegressionCase> CutCases();
 std::vector<RegressionCase> SceneCases();
 std::vector<RegressionCase> ImageCases();
