@@ -68,14 +68,16 @@ public:
    * to 0, nor more than two million triangles, nor a vtkDataSetMapper of other data than polygons
    * before its first drawing, nor does geometry take away scattered light without Shadows.
    *
-   * The same faces receive the shadows of the volume: the colours that VTK has drawn are multiplied
-   * by the part of their light that is left, also those of lines or glyphs that lie on a face.
-   * Depth peeling, RenderToImage, shader code of the user, shaders for overlapping volumes or
-   * blocks, and images during interaction (see MinimumImageSampleDistance) leave that out. So does
-   * a renderer that shows translucent geometry or another volume with a mapper of its own, whose
-   * colours the shadows would darken too: put volumes into one vtkMultiVolume. A volume outside the
-   * view, which VTK does not draw, leaves no shadow. VTK lets geometry cast shadows on geometry
-   * (vtkShadowMapPass).
+   * The same faces receive the shadows of the renderer's volumes: the colours that VTK has drawn
+   * are multiplied by the part of their light that is left, also those of lines or glyphs that lie
+   * on a face. Several volumes with mappers of their own leave their common shadow. With
+   * RenderToImage the faces in the window are dimmed, if there is one volume. Depth peeling, shader
+   * code of the user, shaders for overlapping volumes or blocks, and images during interaction (see
+   * MinimumImageSampleDistance) leave all that out. So does a renderer that shows translucent
+   * geometry, or a volume of another mapper, whose colours the shadows would darken too. A volume
+   * outside the view, which VTK's vtkFrustumCoverageCuller leaves out, casts shadows on faces only
+   * if another one is in the view or the renderer has no such culler. VTK lets geometry cast
+   * shadows on geometry (vtkShadowMapPass).
    */
   vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
   vtkGetMacro(Shadows, vtkTypeBool);

@@ -27,7 +27,6 @@
 #include <new>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 // Draws at the quality that the allocated time permits, or at full quality if nobody interacts.
@@ -99,39 +98,6 @@ void vtkVariationFieldVolumeMapper::Internals::Draw(
   mapper->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
   timer->StopTimer();
   mapper->TimeToDraw = timer->GetElapsedTime();
-}
-
-// Draws all volumes of the renderer back to front, or only this one if it is not among them.
-void vtkVariationFieldVolumeMapper::Internals::DrawInOrder(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-{
-  const std::vector<vtkVolume*> volumes = varimarch::VolumesBackToFront(renderer);
-  const vtkMTimeType time = varimarch::TimeOf(volumes, renderer);
-  const DrawnAhead ahead = std::exchange(mapper->Private->Ahead, {});
-  if (ahead.Renderer == renderer && ahead.Time == time)
-  {
-    return;
-  }
-  const bool isListed = std::find(volumes.begin(), volumes.end(), volume) != volumes.end();
-  if (!isListed || volumes.size() == 1)
-  {
-    Draw(mapper, renderer, volume);
-    return;
-  }
-  for (vtkVolume* next : volumes)
-  {
-    vtkVariationFieldVolumeMapper* const nextMapper = varimarch::DrawingMapper(next);
-    if (next != volume)
-    {
-      next->Update();
-      if (varimarch::IsLeftToVtk(next, renderer))
-      {
-        continue; // until its turn
-      }
-      nextMapper->Private->Ahead = { renderer, time };
-    }
-    Draw(nextMapper, renderer, next);
-  }
 }
 
 void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
@@ -339,6 +305,11 @@ int vtkVariationFieldVolumeMapper::GetOpticalTableBuilds()
 int vtkVariationFieldVolumeMapper::GetLightLatticeBuilds()
 {
   return this->Private->Sum(&varimarch::RayMarcher::LightLatticeBuilds);
+}
+
+int vtkVariationFieldVolumeMapper::GetGeometryShadowBuilds()
+{
+  return this->Private->Sum(&varimarch::RayMarcher::GeometryShadowBuilds);
 }
 
 int vtkVariationFieldVolumeMapper::GetShaderBuilds()

@@ -10,6 +10,8 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 #include <gtest/gtest.h>
 
@@ -75,7 +77,7 @@ public:
     this->scene.mapper->ShadowsOn();
     this->scene.renderer->AutomaticLightCreationOff();
     this->scene.renderer->RemoveAllLights();
-    this->scene.LookDown(this->focus, 6.0);
+    this->LookDown(this->focus, 6.0);
 
     vtkNew<vtkPlaneSource> plane;
     plane->SetOrigin(-60.0, -60.0, FloorZ);
@@ -95,16 +97,37 @@ public:
 
   vtkLight* AddSun() { return AddLight(this->scene.renderer, 100.0 * towardsSun, glm::dvec3(0.0)); }
 
+  /// Looks down on a square of the floor in parallel projection.
+  void LookDown(glm::dvec3 newFocus, double newHalfMm)
+  {
+    this->focus = newFocus;
+    this->halfMm = newHalfMm;
+    this->scene.LookDown(newFocus, newHalfMm);
+  }
+
+  /// Shows the same square of the floor in perspective.
+  void UsePerspective()
+  {
+    vtkCamera* const camera = this->scene.renderer->GetActiveCamera();
+    const double distanceMm = camera->GetPosition()[2] - FloorZ;
+    camera->ParallelProjectionOff();
+    camera->SetViewAngle(2.0 * glm::degrees(std::atan(this->halfMm / distanceMm)));
+  }
+
   /// The place of the floor that a pixel shows.
   glm::dvec3 PlaceAt(int x, int y) const
   {
-    const auto offset = [](int pixel) { return 6.0 * (2.0 * (pixel + 0.5) / 65.0 - 1.0); };
+    const auto offset = [this](int pixel)
+    { return this->halfMm * (2.0 * (pixel + 0.5) / 65.0 - 1.0); };
     return { this->focus.x + offset(x), this->focus.y + offset(y), FloorZ };
   }
 
   bool CoversFloorAt(glm::dvec3 place) const
   {
-    return std::abs(place.x) < 0.5 * CubeMm && std::abs(place.y) < 0.5 * CubeMm;
+    vtkCamera* const camera = this->scene.renderer->GetActiveCamera();
+    const glm::dvec3 toEye = glm::make_vec3(camera->GetPosition()) - place;
+    const glm::dvec3 up(0.0, 0.0, 1.0);
+    return LengthInCube(place, camera->GetParallelProjection() ? up : toEye, 1e9) > 0.0;
   }
 
   /// Red on the floor where the cube does not cover it, drawn by packets with or without shadows.
@@ -158,6 +181,7 @@ public:
 
   static inline const glm::dvec3 towardsSun = glm::dvec3(0.6, 0.0, 0.8);
   glm::dvec3 focus = { -7.5, 0.0, 0.0 };
+  double halfMm = 6.0;
   MapperScene scene;
   vtkNew<vtkActor> floor;
 };

@@ -3,6 +3,8 @@
 #include "Module/CubeAboveFloor.h"
 
 #include <vtkElevationFilter.h>
+#include <vtkImageData.h>
+#include <vtkTexture.h>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -15,6 +17,57 @@ TEST(Receivers, OfDiffuseLightHaveTheirClosedForm)
   cube.ExpectRed([](glm::dvec3 place)
     { return 0.8 * 0.8 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
     OfBytes);
+}
+
+TEST(Receivers, InPerspectiveHaveTheirClosedForm)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  cube.UsePerspective();
+  cube.ExpectRed([](glm::dvec3 place)
+    { return 0.8 * 0.8 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
+    OfBytes);
+}
+
+TEST(Receivers, BehindVoxelsWithoutInterpolationHaveTheirClosedForm)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  cube.scene.volume->GetProperty()->SetInterpolationTypeToNearest();
+  cube.ExpectRedIn(
+    cube.scene.DrawByProcessor(),
+    [](glm::dvec3 place) { return 0.8 * 0.8 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
+    OfBytes);
+}
+
+// Squares of half and full brightness.
+TEST(Receivers, MayHaveATexture)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  vtkNew<vtkImageData> squares;
+  squares->SetDimensions(64, 64, 1);
+  squares->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (int i = 0; i < 64 * 64; ++i)
+  {
+    squares->SetScalarComponentFromDouble(
+      i % 64, i / 64, 0, 0, (i / 64 + i) % 2 == 0 ? 255.0 : 127.0);
+  }
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(squares);
+  cube.floor->SetTexture(texture);
+  const std::vector<float> lit = cube.FloorRed(false);
+  EXPECT_LT(*std::min_element(lit.begin(), lit.end()), 0.4f) << "a dark square";
+  EXPECT_GT(*std::max_element(lit.begin(), lit.end()), 0.6f) << "a bright square";
+  const std::vector<float> bright = cube.scene.DrawByProcessor();
+  cube.scene.mapper->ShadowsOn();
+  const std::vector<float> drawn = cube.scene.DrawByProcessor();
+  for (int x = 2; x < 35; x += 3)
+  {
+    const std::size_t pixel = 4 * (std::size_t(32) * 65 + std::size_t(x));
+    const double left = LeftBehindCube(cube.PlaceAt(x, 32), CubeAboveFloor::towardsSun);
+    EXPECT_NEAR(drawn[pixel], bright[pixel] * left, OfBytes) << x;
+  }
 }
 
 TEST(Receivers, KeepAmbientLightAndTheLightOfOtherLamps)

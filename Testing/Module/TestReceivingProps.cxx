@@ -2,9 +2,12 @@
 
 #include "Module/CubeAboveFloor.h"
 
+#include <vtkCullerCollection.h>
+#include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 TEST(ReceivingProps, AreNoPropsThatCastNoShadowsAndNoWireframes)
@@ -36,22 +39,148 @@ TEST(ReceivingProps, WaitForTheStillImage)
   EXPECT_TRUE(cube.ShowsShadows());
 }
 
-// A volume would dim, behind it, the colours of the volumes that were drawn before.
-TEST(ReceivingProps, AreLeftOutBehindSeveralVolumes)
+namespace
+{
+
+// Another dark cube with a mapper of its own.
+class SecondCube
+{
+public:
+  SecondCube(CubeAboveFloor& first, glm::dvec3 center)
+    : center(center)
+  {
+    this->mapper->SetInputData(first.scene.image);
+    this->mapper->SetErrorTolerance(0.0);
+    this->mapper->ShadowsOn();
+    this->volume->SetMapper(this->mapper);
+    this->volume->SetProperty(first.scene.volume->GetProperty());
+    this->volume->SetPosition(center.x, center.y, center.z);
+    first.scene.renderer->AddVolume(this->volume);
+  }
+
+  double Leaves(glm::dvec3 place, glm::dvec3 towards) const
+  {
+    return LeftBehindCube(place - this->center, towards);
+  }
+
+  vtkNew<vtkVariationFieldVolumeMapper> mapper;
+  vtkNew<vtkVolume> volume;
+  glm::dvec3 center;
+};
+
+// Above the first cube and beside the view, so that VTK culls it. Their shadows overlap.
+constexpr glm::dvec3 AboveFirst(8.0, 0.5, 18.0);
+
+}
+
+// With two lamps, the product of what volumes leave of each is not that of what they leave of all
+// light.
+TEST(ReceivingProps, AreInTheShadowsOfAllVolumes)
 {
   CubeAboveFloor cube;
   cube.AddSun();
-  vtkNew<vtkVariationFieldVolumeMapper> mapper;
-  mapper->SetInputData(cube.scene.image);
-  mapper->ShadowsOn();
-  vtkNew<vtkVolume> second;
-  second->SetMapper(mapper);
-  second->SetProperty(cube.scene.volume->GetProperty());
-  second->SetPosition(0.0, 40.0, 0.0); // out of the view
-  cube.scene.renderer->AddVolume(second);
-  EXPECT_FALSE(cube.ShowsShadows());
-  second->VisibilityOff();
+  const glm::dvec3 other = glm::normalize(glm::dvec3(0.3, 0.1, 0.8));
+  AddLight(cube.scene.renderer, 100.0 * other, glm::dvec3(0.0))->SetIntensity(0.3);
+  const SecondCube second(cube, AboveFirst);
+  const auto leftOf = [&](glm::dvec3 lamp, glm::dvec3 place)
+  { return lamp.z * LeftBehindCube(place, lamp) * second.Leaves(place, lamp); };
+  const auto truth = [&](glm::dvec3 place)
+  { return 0.8 * (leftOf(CubeAboveFloor::towardsSun, place) + 0.3 * leftOf(other, place)); };
+  cube.ExpectRed(truth, OfBytes);
+  second.mapper->ProcessorMarchingOff();
+  cube.ExpectRed(truth, OfBytes);
+  cube.scene.renderer->RemoveVolume(cube.scene.volume);
+  cube.scene.renderer->AddVolume(cube.scene.volume);
+  cube.ExpectRed(truth, OfBytes);
+}
+
+TEST(ReceivingProps, AreInTheShadowsOfVolumesThatCastSome)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  const SecondCube second(cube, AboveFirst);
+  second.mapper->ShadowsOff();
+  cube.ExpectRed([](glm::dvec3 place)
+    { return 0.64 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
+    OfBytes);
+  second.mapper->ShadowsOn();
+  cube.scene.mapper->ShadowsOff();
+  cube.ExpectRedIn(
+    cube.scene.DrawByProcessor(),
+    [&](glm::dvec3 place) { return 0.64 * second.Leaves(place, CubeAboveFloor::towardsSun); },
+    OfBytes);
+}
+
+// Colours of a volume that another mapper draws when it likes would be dimmed too.
+TEST(ReceivingProps, AreLeftOutBesideVolumesThatOthersDraw)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  const SecondCube second(cube, AboveFirst);
   EXPECT_TRUE(cube.ShowsShadows());
+  vtkNew<vtkFixedPointVolumeRayCastMapper> others;
+  others->SetInputData(cube.scene.image);
+  second.volume->SetMapper(others);
+  EXPECT_FALSE(cube.ShowsShadows());
+  second.volume->VisibilityOff();
+  EXPECT_TRUE(cube.ShowsShadows());
+}
+
+TEST(ReceivingProps, AreDimmedInTheWindowWhereTheVolumeIsDrawnToImages)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  cube.scene.mapper->RenderToImageOn();
+  cube.ExpectRedIn(
+    cube.scene.DrawByProcessor(),
+    [](glm::dvec3 place) { return 0.64 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
+    OfBytes);
+}
+
+// The later images have shorter steps, so that light is traced for the first two.
+TEST(ReceivingProps, KeepTheirLightWhileImagesAreAccumulated)
+{
+  CubeAboveFloor cube;
+  vtkLight* const sun = cube.AddSun();
+  vtkVariationFieldVolumeMapper* const mapper = cube.scene.mapper;
+  mapper->ProcessorMarchingOn();
+  mapper->SetMaximumAccumulatedPictures(6);
+  const auto drawAll = [&]
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      cube.ExpectRedIn(
+        cube.scene.Draw(),
+        [&](glm::dvec3 place)
+        {
+          const glm::dvec3 towards = glm::normalize(glm::make_vec3(sun->GetPosition()));
+          return 0.8 * towards.z * LeftBehindCube(place, towards);
+        },
+        OfBytes);
+    }
+  };
+  drawAll();
+  EXPECT_EQ(mapper->GetAccumulatedPictures(), 6);
+  const int builds = mapper->GetGeometryShadowBuilds();
+  EXPECT_LE(builds, 2);
+  sun->SetPosition(50.0, 0.0, 80.0);
+  drawAll();
+  EXPECT_GT(mapper->GetGeometryShadowBuilds(), builds);
+  EXPECT_LE(mapper->GetGeometryShadowBuilds(), 2 * builds);
+}
+
+// VTK culls what is out of the view.
+TEST(ReceivingProps, AreInTheShadowOfAVolumeOutOfTheViewIfItIsNotCulled)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  cube.LookDown({ -10.0, 0.0, 0.0 }, 2.5);
+  const std::vector<float> culled = cube.FloorRed(true);
+  EXPECT_NEAR(*std::min_element(culled.begin(), culled.end()), 0.64, OfBytes);
+  cube.scene.renderer->GetCullers()->RemoveAllItems();
+  cube.ExpectRed([](glm::dvec3 place)
+    { return 0.64 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
+    OfBytes);
 }
 
 TEST(ReceivingProps, AreLeftOutBehindTranslucentGeometry)

@@ -241,11 +241,12 @@ void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 }
 
 // Light that is scattered is dimmed without Shadows too, but by volumes alone.
-void ChooseCasters(vtkRenderer* renderer, vtkVolume* prop, Frame& frame)
+void ChooseCasters(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* prop, Frame& frame)
 {
   if (frame.settings.shadows && frame.material.surfacesInShadow > 0.0)
   {
-    frame.casters = ShadowCastersOf(renderer, prop);
+    frame.casters = ShadowCastersOf(mapper, renderer, prop);
     frame.settings.casters = !frame.casters.surfaces.empty();
   }
 }
@@ -316,7 +317,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
     return std::nullopt;
   }
   ChooseLight(mapper, frame);
-  ChooseCasters(renderer, prop, frame);
+  ChooseCasters(mapper, renderer, prop, frame);
   ChooseCuts(mapper, frame);
   ChooseAveraged(mapper, frame);
   frame.material.gapOptical = GapOptical(mapper->GetNanColor(), mapper->GetNanOpacity(),

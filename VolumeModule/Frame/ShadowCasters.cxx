@@ -1,5 +1,6 @@
 #include "Frame/ShadowCasters.h"
 
+#include "Frame/RendererVolumes.h"
 #include "Frame/VolumeGeometry.h"
 #include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
@@ -186,19 +187,8 @@ private:
   ShadowCasters& casters;
 };
 
-// True if what VTK has drawn behind a volume may have colours of another volume or of translucent
-// geometry in it.
-bool HasMixedColorsBehind(vtkRenderer* renderer, vtkVolume* volume)
+bool HasTranslucentGeometry(vtkRenderer* renderer)
 {
-  vtkVolumeCollection* const volumes = renderer->GetVolumes();
-  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
-  {
-    auto* const other = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
-    if (other != volume && other->GetVisibility() && other->GetMapper())
-    {
-      return true;
-    }
-  }
   vtkPropCollection* const props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -210,6 +200,33 @@ bool HasMixedColorsBehind(vtkRenderer* renderer, vtkVolume* volume)
     }
   }
   return false;
+}
+
+// True if a mapper that is not ours may draw a volume, whenever it likes.
+bool HasVolumesOfOthers(vtkRenderer* renderer)
+{
+  vtkVolumeCollection* const volumes = renderer->GetVolumes();
+  for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
+  {
+    auto* const volume = vtkVolume::SafeDownCast(volumes->GetItemAsObject(i));
+    if (volume->GetVisibility() && volume->GetMapper() && !DrawingMapper(volume))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// A mapper that draws a part of a volume knows nothing of the light that other parts take.
+Shadowing ShadowingOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (DrawingMapper(volume) != mapper || HasTranslucentGeometry(renderer) ||
+    HasVolumesOfOthers(renderer))
+  {
+    return Shadowing::Nothing;
+  }
+  return VolumesBackToFront(renderer).size() > 1 ? Shadowing::AllVolumes : Shadowing::OneVolume;
 }
 
 // A corner of cubes that are as large as the volume, so that it stays while the volume moves a
@@ -320,7 +337,8 @@ void ForEachCell(vtkCellArray* cells, Add add)
 
 }
 
-ShadowCasters ShadowCastersOf(vtkRenderer* renderer, vtkVolume* volume)
+ShadowCasters ShadowCastersOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   ShadowCasters casters;
   Collection collection(casters);
@@ -336,7 +354,7 @@ ShadowCasters ShadowCastersOf(vtkRenderer* renderer, vtkVolume* volume)
   {
     casters.surfaces.clear();
   }
-  casters.mayReceive = !HasMixedColorsBehind(renderer, volume);
+  casters.shadowing = ShadowingOf(mapper, renderer, volume);
   casters.originWorld = OriginNear(volume);
   casters.fingerprint.insert(casters.fingerprint.end(), glm::value_ptr(casters.originWorld),
     glm::value_ptr(casters.originWorld) + 3);

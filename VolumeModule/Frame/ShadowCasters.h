@@ -16,6 +16,7 @@
 class vtkPolyData;
 class vtkProperty;
 class vtkRenderer;
+class vtkVariationFieldVolumeMapper;
 class vtkVolume;
 
 namespace varimarch
@@ -31,6 +32,14 @@ struct CastingSurface
   std::vector<glm::dvec4> planesWorld; ///< They keep what lies on their positive sides.
 };
 
+/// The volumes whose shadows the geometry of a renderer receives.
+enum class Shadowing
+{
+  Nothing, ///< Other colours may lie over those of geometry before a volume is drawn.
+  OneVolume,
+  AllVolumes ///< All volumes of the renderer, before the first of them is drawn.
+};
+
 /// The opaque geometry of a renderer that casts shadows on a volume: the surfaces of its visible
 /// actors, also those in assemblies.
 struct ShadowCasters
@@ -40,12 +49,11 @@ struct ShadowCasters
   std::vector<double> fingerprint;          ///< Everything that the triangles depend on.
   std::size_t triangleCount = 0;            ///< At most as many, with the cuts by planes.
   bool areTooMany = false; ///< True if there are too many triangles: then there are no surfaces.
-  /// True if the surfaces also receive shadows: no other volume and no translucent geometry is
-  /// drawn over their colours before the volume is.
-  bool mayReceive = true;
+  Shadowing shadowing = Shadowing::Nothing; ///< Volumes that also cast shadows on the surfaces.
 };
 
-ShadowCasters ShadowCastersOf(vtkRenderer* renderer, vtkVolume* volume);
+ShadowCasters ShadowCastersOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 /// The place of a triangle in the data.
 struct SurfaceTriangle

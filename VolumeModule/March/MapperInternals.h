@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 /// The parts of a mapper that its public header does not show.
 struct vtkVariationFieldVolumeMapper::Internals
@@ -24,6 +25,10 @@ struct vtkVariationFieldVolumeMapper::Internals
   static void Draw(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
   static void DrawInOrder(
     vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+  // Dims the opaque geometry of a renderer by what all its volumes leave of the light, before any
+  // of them is drawn.
+  static void CastOnGeometry(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes);
 
   varimarch::RayMarcher Marcher;
   varimarch::LevelOfDetail Levels;

@@ -60,6 +60,17 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->DrawImage(frame, plan);
 }
 
+void RayMarcher::CastOnGeometry(const Frame& frame, ReceivedLight& light, bool isLast)
+{
+  MarchPlan plan = this->Prepare(frame, {});
+  this->SearchSteps(frame, plan);
+  this->dimming.TakeLight(frame, plan, light);
+  if (isLast)
+  {
+    this->dimming.Draw(frame, plan, light);
+  }
+}
+
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
 {
   if (this->window && this->window != newWindow)
@@ -166,13 +177,16 @@ void RayMarcher::DrawImage(const Frame& frame, const MarchPlan& plan)
     return;
   }
   this->packets.ReleaseLayerDepths(drawnWindow);
+  if (frame.casters.shadowing != Shadowing::AllVolumes)
+  {
+    this->dimming.Dim(frame, plan);
+  }
   if (frame.image.toImages)
   {
     this->passes.DrawImages(frame, plan, marcher);
     return;
   }
   this->passes.Release(drawnWindow);
-  this->dimming.Draw(frame, plan);
   if (plan.mostAccumulated > 0)
   {
     this->resampled.Release(drawnWindow);

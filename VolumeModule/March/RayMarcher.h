@@ -40,6 +40,10 @@ public:
   /// @param quality  the quality of the image while a user interacts; none for a still image
   /// @throws std::runtime_error if the device cannot hold a resource or compile the shader
   void Draw(const Frame& frame, const std::optional<PictureQuality>& quality = {});
+  /// Lets one of several volumes cast its shadows on opaque geometry, before any of them is drawn.
+  /// @param light   what the volumes before it leave
+  /// @param isLast  true if the geometry is to be drawn with what all volumes leave
+  void CastOnGeometry(const Frame& frame, ReceivedLight& light, bool isLast);
   /// The steps that keep the tolerance of a frame; none if it has no tolerance.
   std::optional<CommonSteps> FindSteps(const Frame& frame);
   /// Sets the steps of images that are not interactive; none: those of a search.
@@ -82,6 +86,7 @@ public:
   bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
   /// The memory of the lattices of light, of which only pages that are used are taken.
   std::size_t LightBytes() const { return this->resources.LightBytes(); }
+  int GeometryShadowBuilds() const { return this->dimming.Tracings(); }
   int LightLatticeBuilds() const { return this->resources.LightLatticeBuilds(); }
   /// True if there is too much opaque geometry for its shadows.
   bool LeavesOutCasters() const { return this->leavesOutCasters; }

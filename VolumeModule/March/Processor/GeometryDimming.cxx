@@ -5,6 +5,9 @@
 #include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketScenes.h"
 
+#include "vtkCamera.h"
+#include "vtkRenderer.h"
+
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
@@ -20,7 +23,7 @@ namespace varimarch
 namespace
 {
 
-constexpr int LightsAtOnce = 4; ///< as many as a pixel has numbers
+constexpr std::size_t LightsAtOnce = 4; ///< as many as a pixel has numbers
 
 using Receivers = std::vector<GeometryReceiver>;
 
@@ -36,32 +39,56 @@ std::vector<glm::vec4> PlacesOf(
   return places;
 }
 
+// All that the factors of an image depend on that is accumulated; empty for another image. VTK's
+// highlights depend on the place of the eye in a parallel projection too.
+std::vector<double> InputsOf(const Frame& frame, const MarchPlan& plan)
+{
+  std::vector<double> inputs = frame.accumulation.fingerprint;
+  if (!inputs.empty())
+  {
+    const double* const eye = frame.view.renderer->GetActiveCamera()->GetPosition();
+    inputs.insert(inputs.end(), eye, eye + 3);
+    inputs.insert(
+      inputs.end(), { plan.sampleDistanceMm, double(plan.marcher), double(plan.isInteractive) });
+  }
+  return inputs;
+}
+
 // The pixels of a plan's viewport, counted from its corner.
 Viewport PixelsOf(const MarchPlan& plan)
 {
   return { 0, 0, plan.viewport.width, plan.viewport.height };
 }
 
-// The factors of all pixels, 1 where no receiver is.
-// @param parts  of the lights, for each four of them the numbers of all pixels
-std::vector<glm::vec4> FactorsOf(const Frame& frame, std::size_t pixelCount,
-  const Receivers& receivers, const std::vector<std::vector<float>>& parts)
+// Multiplies the parts of lamps that other volumes leave by those that a volume leaves.
+// @param parts  of the lamps, for each four of them the numbers of all pixels
+void Multiply(
+  ReceivedLight& light, const std::vector<std::vector<float>>& parts, double shadowStrength)
 {
-  const GeometryLight light(frame);
-  const double strength = frame.material.surfacesInShadow;
-  std::vector<glm::vec4> factors(pixelCount, glm::vec4(1.0f));
-  tbb::parallel_for(std::size_t(0), receivers.size(),
+  tbb::parallel_for(std::size_t(0), light.receivers.size(),
     [&](std::size_t i)
     {
-      const GeometryReceiver& receiver = receivers[i];
-      const auto partOf = [&](int lamp)
+      for (std::size_t lamp = 0; lamp < LightsAtOnce * parts.size(); ++lamp)
       {
-        const auto group = std::size_t(lamp / LightsAtOnce);
-        const double part = group < parts.size()
-          ? parts[group][4 * receiver.pixel + std::size_t(lamp % LightsAtOnce)]
-          : 1.0;
-        return 1.0 - strength * (1.0 - part);
-      };
+        const std::vector<float>& group = parts[lamp / LightsAtOnce];
+        const double part = group[4 * light.receivers[i].pixel + lamp % LightsAtOnce];
+        light.parts[i][lamp] *= float(1.0 - shadowStrength * (1.0 - part));
+      }
+    });
+}
+
+// The factors of all pixels, 1 where no receiver is.
+std::vector<glm::vec4> FactorsOf(
+  const Frame& frame, std::size_t pixelCount, const ReceivedLight& received)
+{
+  const GeometryLight light(frame);
+  std::vector<glm::vec4> factors(pixelCount, glm::vec4(1.0f));
+  tbb::parallel_for(std::size_t(0), received.receivers.size(),
+    [&](std::size_t i)
+    {
+      const auto partOf = [&](int lamp)
+      { return lamp < MostShadowedLights ? double(received.parts[i][std::size_t(lamp)]) : 1.0; };
+      const GeometryReceiver& receiver = received.receivers[i];
       factors[receiver.pixel] = glm::dvec4(light.FactorsAt(receiver, partOf), 1.0);
     });
   return factors;
@@ -86,7 +113,7 @@ bool GeometryDimming::MayDim(const Frame& frame, const MarchPlan& plan) const
 {
   const bool sees = plan.marcher == Marcher::Processor ||
     (!this->resources.IsInBlocks() && frame.others.empty() && frame.userCode.IsEmpty());
-  return sees && frame.settings.casters && frame.casters.mayReceive &&
+  return sees && frame.settings.casters && frame.casters.shadowing != Shadowing::Nothing &&
     frame.settings.sceneGeometry && !plan.isInteractive && !this->resources.IsNothingDrawn();
 }
 
@@ -103,7 +130,7 @@ std::vector<std::vector<float>> GeometryDimming::LightByPackets(
   const int count =
     std::min(scene.parameters.distantCount + scene.parameters.nearCount, MostShadowedLights);
   std::vector<std::vector<float>> parts;
-  for (int first = 0; first < count; first += LightsAtOnce)
+  for (int first = 0; first < count; first += int(LightsAtOnce))
   {
     scene.receivers = { places.data(), pixels, first };
     parts.emplace_back(4 * places.size());
@@ -130,28 +157,81 @@ std::vector<std::vector<float>> GeometryDimming::LightByShader(const Frame& fram
   return { this->light.Read(window, pixels, 0), this->light.Read(window, pixels, 1) };
 }
 
-void GeometryDimming::Draw(const Frame& frame, const MarchPlan& plan)
+void GeometryDimming::Dim(const Frame& frame, const MarchPlan& plan)
 {
-  const Receivers receivers = this->MayDim(frame, plan)
-    ? GeometryReceiversOf(frame, this->resources, plan.viewport)
-    : Receivers();
-  if (receivers.empty())
+  const std::vector<double> inputs = InputsOf(frame, plan);
+  if (inputs.empty() || inputs != this->keptFor)
+  {
+    ReceivedLight received;
+    if (frame.casters.shadowing == Shadowing::OneVolume)
+    {
+      this->TakeLight(frame, plan, received);
+    }
+    this->TakeFactors(frame, plan, received);
+    this->keptFor = inputs;
+  }
+  this->DrawFactors(frame, plan);
+}
+
+void GeometryDimming::TakeLight(const Frame& frame, const MarchPlan& plan, ReceivedLight& received)
+{
+  if (!this->MayDim(frame, plan))
+  {
+    return;
+  }
+  if (received.receivers.empty())
+  {
+    received.receivers = GeometryReceiversOf(frame, this->resources, plan.viewport);
+    std::array<float, MostShadowedLights> all;
+    all.fill(1.0f);
+    received.parts.assign(received.receivers.size(), all);
+  }
+  if (received.receivers.empty())
+  {
+    return;
+  }
+  const glm::dmat4 gridFromWorld = glm::inverse(frame.geometry.worldFromGrid);
+  const std::vector<glm::vec4> places = PlacesOf(received.receivers, gridFromWorld, PixelsOf(plan));
+  const Box box = CoverOf(frame.geometry.boxGrid, gridFromWorld, received.receivers);
+  ++this->tracings;
+  Multiply(received,
+    plan.marcher == Marcher::Processor ? this->LightByPackets(frame, plan, places)
+                                       : this->LightByShader(frame, plan, places, box),
+    frame.material.surfacesInShadow);
+}
+
+void GeometryDimming::Draw(const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
+{
+  this->TakeFactors(frame, plan, received);
+  this->DrawFactors(frame, plan);
+}
+
+void GeometryDimming::TakeFactors(
+  const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
+{
+  if (received.receivers.empty())
   {
     this->Release(frame.view.window);
     return;
   }
   const Viewport pixels = PixelsOf(plan);
-  const glm::dmat4 gridFromWorld = glm::inverse(frame.geometry.worldFromGrid);
-  const std::vector<glm::vec4> places = PlacesOf(receivers, gridFromWorld, pixels);
+  const std::size_t pixelCount = std::size_t(pixels.width) * std::size_t(pixels.height);
+  this->image.Take(frame.view.window, FactorsOf(frame, pixelCount, received), pixels);
+  this->cover =
+    CoverOf(frame.geometry.boxGrid, glm::inverse(frame.geometry.worldFromGrid), received.receivers);
+}
+
+void GeometryDimming::DrawFactors(const Frame& frame, const MarchPlan& plan)
+{
+  if (this->image.Bytes() == 0)
+  {
+    return;
+  }
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
-  drawn.coverGrid = CoverOf(frame.geometry.boxGrid, gridFromWorld, receivers);
-  const std::vector<std::vector<float>> parts = plan.marcher == Marcher::Processor
-    ? this->LightByPackets(frame, plan, places)
-    : this->LightByShader(frame, plan, places, drawn.coverGrid);
-  this->image.Take(frame.view.window, FactorsOf(frame, places.size(), receivers, parts), pixels);
+  drawn.coverGrid = this->cover;
   EarlierDrawings earlier;
   earlier.marched = this->image.Texture();
-  earlier.marchedPixels = pixels;
+  earlier.marchedPixels = PixelsOf(plan);
   this->boxes.Draw(frame, plan.WithRole(ShaderRole::DimGeometry), drawn, earlier);
 }
 
@@ -159,6 +239,7 @@ void GeometryDimming::Release(vtkWindow* window)
 {
   this->image.Release(window);
   this->light.Release(window);
+  this->keptFor.clear();
 }
 
 }

@@ -1,22 +1,34 @@
 #ifndef Varimarch_March_Processor_GeometryDimming_h
 #define Varimarch_March_Processor_GeometryDimming_h
 
+#include "Core/Packets/PacketScene.h"
 #include "March/Device/BoxDrawing.h"
+#include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketPicture.h"
 #include "Resources/FloatFramebuffer.h"
 
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace varimarch
 {
 
-/// Lets opaque geometry receive the shadows of a volume: before the volume is drawn, the colours of
-/// the geometry in the framebuffer are multiplied by what the volume leaves of their light. The
-/// processor finds the places that are seen. Whoever marches the volume traces the lights from
-/// there: packets of rays or a shader.
+/// The opaque geometry that pixels show, and what volumes leave of the lamps' light on it.
+struct ReceivedLight
+{
+  std::vector<GeometryReceiver> receivers;
+  /// For each receiver the parts of the lamps that may cast shadows, [0, 1].
+  std::vector<std::array<float, MostShadowedLights>> parts;
+};
+
+/// Lets opaque geometry receive the shadows of volumes: before a volume is drawn, the colours of
+/// the geometry in the framebuffer are multiplied by what volumes leave of their light. The
+/// processor finds the places that are seen. Whoever marches a volume traces the lights from
+/// there: packets of rays or a shader. Nothing is dimmed while somebody interacts, since there may
+/// be as many pixels of geometry as of the volume.
 class GeometryDimming
 {
 public:
@@ -26,10 +38,19 @@ public:
   {
   }
 
-  /// Draws into the current framebuffer if the frame has shadows and geometry that may receive
-  /// them, and nobody interacts: there may be as many pixels of geometry as of the volume.
-  void Draw(const Frame& frame, const MarchPlan& plan);
+  /// Dims geometry in the current framebuffer by the one volume of the renderer, if the frame has
+  /// shadows and geometry that may receive them.
+  void Dim(const Frame& frame, const MarchPlan& plan);
 
+  /// Takes the light of a volume's shadows from geometry, if the frame has both.
+  /// @param light  what other volumes leave; without receivers, if this is the first one
+  void TakeLight(const Frame& frame, const MarchPlan& plan, ReceivedLight& light);
+
+  /// Dims geometry in the current framebuffer.
+  void Draw(const Frame& frame, const MarchPlan& plan, const ReceivedLight& light);
+
+  /// How often the light on geometry was traced. Images that are accumulated share it.
+  int Tracings() const { return this->tracings; }
   std::size_t Bytes() const { return this->image.Bytes() + this->light.Bytes(); }
   void Release(vtkWindow* window);
 
@@ -40,10 +61,16 @@ private:
   std::vector<std::vector<float>> LightByShader(const Frame& frame, const MarchPlan& plan,
     const std::vector<glm::vec4>& places, const Box& coverGrid);
 
+  void TakeFactors(const Frame& frame, const MarchPlan& plan, const ReceivedLight& light);
+  void DrawFactors(const Frame& frame, const MarchPlan& plan);
+
   SceneResources& resources;
   BoxDrawing& boxes;
   PacketPicture image;         ///< First places, then factors.
   FloatFramebuffer light{ 2 }; ///< The light on places, by a shader.
+  Box cover = {};              ///< A box in the grid that covers all pixels with factors.
+  std::vector<double> keptFor; ///< All that the factors depend on; empty if they are not kept.
+  int tracings = 0;
 };
 
 }
