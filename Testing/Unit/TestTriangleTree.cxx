@@ -80,7 +80,7 @@ void ExpectTruth(int count, double side, glm::dvec3 center)
     triangles.push_back({ glm::vec3(at + side * place()), glm::vec3(at + side * place()),
       glm::vec3(at + side * place()) });
   }
-  const TriangleTree tree(triangles);
+  const TriangleTree tree(TriangleGroups{ triangles });
   int met = 0;
   int compared = 0;
   for (int i = 0; i < 10000; ++i)
@@ -122,6 +122,101 @@ TEST(TriangleTree, FindsWhatBruteForceFinds)
   }
 }
 
+namespace
+{
+
+// Random triangles around a place.
+std::vector<Triangle> TrianglesAround(glm::vec3 center, int count, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> number(-1.0f, 1.0f);
+  const auto place = [&] { return glm::vec3(number(random), number(random), number(random)); };
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::vec3 at = center + 6.0f * place();
+    triangles.push_back({ at + place(), at + place(), at + place() });
+  }
+  return triangles;
+}
+
+// The numbers of triangles go on from group to group.
+void ExpectTruthOfGroups(const TriangleTree& tree, const TriangleGroups& groups)
+{
+  std::vector<Triangle> all;
+  for (const std::vector<Triangle>& group : groups)
+  {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  const auto place = [&] { return glm::dvec3(number(random), number(random), number(random)); };
+  int met = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const glm::dvec3 from(glm::vec3(30.0 * place()));
+    const Ray ray = { from, glm::dvec3(glm::vec3(glm::normalize(20.0 * place() - from))) };
+    const std::optional<TrueHit> truth = NearestOf(all, ray);
+    if (!truth)
+    {
+      continue;
+    }
+    const std::optional<TriangleHit> found = NearestOfTree(tree, ray);
+    const bool isMet = truth->t < 1e30;
+    ASSERT_EQ(found.has_value(), isMet) << i;
+    ASSERT_EQ(IsMetByLanes(tree, ray, 1e30f), isMet) << i;
+    if (isMet)
+    {
+      ++met;
+      EXPECT_NEAR(HitOf(all[found->triangle], ray).t, truth->t, 1e-3) << "another triangle";
+    }
+  }
+  EXPECT_GT(met, 50);
+}
+
+}
+
+TEST(TriangleTree, FindsTheTrianglesOfAllGroups)
+{
+  for (const std::size_t count : { 1, 2, 3, 7 })
+  {
+    TriangleGroups groups(1); // a group may be empty
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const float x = 8.0f * float(i) - 12.0f;
+      groups.push_back(TrianglesAround({ x, 0.0f, -0.5f * x }, 150, unsigned(i)));
+    }
+    ExpectTruthOfGroups(TriangleTree(groups), groups);
+  }
+}
+
+TEST(TriangleTree, MovesAGroupToWhereANewTreeHasIt)
+{
+  TriangleGroups groups = { TrianglesAround({ -12.0f, 0.0f, 0.0f }, 150, 1),
+    TrianglesAround({ 12.0f, 0.0f, 0.0f }, 150, 2), TrianglesAround({ 0.0f, 12.0f, 0.0f }, 80, 3) };
+  TriangleTree tree(groups);
+  for (const std::size_t group : { 1, 0, 2, 1 })
+  {
+    for (Triangle& triangle : groups[group])
+    {
+      for (glm::vec3& corner : triangle) // a turn by a right angle, and a shift
+      {
+        corner = glm::vec3(corner.y + 2.0f, -corner.x, 1.5f * corner.z - 3.0f);
+      }
+    }
+    EXPECT_TRUE(tree.Move(group, groups[group]));
+    ExpectTruthOfGroups(tree, groups);
+  }
+}
+
+TEST(TriangleTree, DoesNotMoveTrianglesIntoNothing)
+{
+  const TriangleGroups groups = { TrianglesAround(glm::vec3(0.0f), 150, 1) };
+  TriangleTree tree(groups);
+  EXPECT_FALSE(tree.Move(0, std::vector<Triangle>(150)));
+  ExpectTruthOfGroups(tree, groups);
+}
+
 // Coordinates are relative to a place near the volume, so that they are at most some times as large
 // as the scene.
 TEST(TriangleTree, FindsItFarFromTheOriginToo)
@@ -144,7 +239,7 @@ TEST(TriangleTree, HasNoGapsBetweenNeighbours)
     };
     fan.push_back({ glm::vec3(0.1f, 0.2f, 1.5f), corner(i), corner((i + 1) % Count) });
   }
-  const TriangleTree tree(fan);
+  const TriangleTree tree(TriangleGroups{ fan });
   for (int i = 0; i < Count; ++i)
   {
     for (double along = 0.0; along < 0.99; along += 0.01)
@@ -173,12 +268,12 @@ TEST(TriangleTree, LeavesOutWhatHasNoArea)
   const Ray ray = { { 0.2, 0.2, -1.0 }, { 0.0, 0.0, 1.0 } };
   const std::vector<Triangle> none = { { a, a, a }, { a, b, 2.0f * b },
     { a, b, glm::vec3(0.0f, nan, 0.0f) }, { a, b, glm::vec3(infinite, 1.0f, 0.0f) } };
-  EXPECT_FALSE(IsMetByLanes(TriangleTree(none), ray, 1e30f));
-  EXPECT_FALSE(NearestOfTree(TriangleTree(none), ray));
+  EXPECT_FALSE(IsMetByLanes(TriangleTree(TriangleGroups{ none }), ray, 1e30f));
+  EXPECT_FALSE(NearestOfTree(TriangleTree(TriangleGroups{ none }), ray));
   EXPECT_FALSE(IsMetByLanes(TriangleTree(), ray, 1e30f));
   std::vector<Triangle> one = none;
   one.push_back({ a, b, c });
-  const TriangleTree tree(one);
+  const TriangleTree tree(TriangleGroups{ one });
   EXPECT_TRUE(IsMetByLanes(tree, ray, 1e30f));
   const auto found = NearestOfTree(tree, ray);
   ASSERT_TRUE(found);
@@ -188,5 +283,6 @@ TEST(TriangleTree, LeavesOutWhatHasNoArea)
 TEST(TriangleTree, RefusesMoreTrianglesThanFloatsCount)
 {
   EXPECT_THROW(
-    TriangleTree(std::vector<Triangle>(TriangleTree::MostTriangles + 1)), std::invalid_argument);
+    TriangleTree(TriangleGroups{ std::vector<Triangle>(TriangleTree::MostTriangles + 1) }),
+    std::invalid_argument);
 }

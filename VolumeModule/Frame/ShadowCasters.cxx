@@ -29,12 +29,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace varimarch
 {
@@ -129,7 +127,7 @@ private:
     {
       mapper->Update();
       this->AddBlock(mapper, mapper->GetInputDataObject(0, 0),
-        { nullptr, actor->GetProperty(), false, worldFromData, PlanesOf(mapper) }, true);
+        { nullptr, 0, actor->GetProperty(), false, worldFromData, PlanesOf(mapper) }, true);
     }
   }
 
@@ -154,6 +152,7 @@ private:
     if (data && isVisible)
     {
       surface.data = data;
+      surface.time = data->GetMTime();
       surface.hasColors = surface.hasColors || HasColors(mapper, data);
       this->AddSurface(surface);
     }
@@ -175,7 +174,7 @@ private:
     this->casters.surfaces.push_back(surface);
     std::vector<double>& numbers = this->casters.fingerprint;
     numbers.push_back(double(reinterpret_cast<std::uintptr_t>(data)));
-    numbers.push_back(double(data->GetMTime()));
+    numbers.push_back(double(surface.time));
     numbers.insert(numbers.end(), glm::value_ptr(surface.worldFromData),
       glm::value_ptr(surface.worldFromData) + 16);
     for (const glm::dvec4& plane : surface.planesWorld)
@@ -242,99 +241,6 @@ glm::dvec3 OriginNear(vtkVolume* volume)
   return side * glm::round(glm::make_vec3(volume->GetCenter()) / side);
 }
 
-// Cuts a polygon by a plane, as Sutherland and Hodgman do (Communications of the ACM, 1974).
-std::vector<glm::dvec3> CutBy(const glm::dvec4& plane, const std::vector<glm::dvec3>& corners)
-{
-  std::vector<glm::dvec3> kept;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    const glm::dvec3& from = corners[i];
-    const glm::dvec3& to = corners[(i + 1) % corners.size()];
-    const double fromAbove = glm::dot(plane, glm::dvec4(from, 1.0));
-    const double toAbove = glm::dot(plane, glm::dvec4(to, 1.0));
-    if (fromAbove >= 0.0)
-    {
-      kept.push_back(from);
-    }
-    if ((fromAbove >= 0.0) != (toAbove >= 0.0))
-    {
-      kept.push_back(glm::mix(from, to, fromAbove / (fromAbove - toAbove)));
-    }
-  }
-  return kept;
-}
-
-// Makes the triangles of surfaces.
-class Triangulation
-{
-public:
-  explicit Triangulation(const ShadowCasters& casters)
-    : casters(casters)
-  {
-    this->made.corners.reserve(casters.triangleCount);
-    this->made.sources.reserve(casters.triangleCount);
-  }
-
-  // Polygons are fans from their first corner, as for polygons without a notch.
-  void AddPolygon(std::size_t surface, vtkIdType count, const vtkIdType* ids)
-  {
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      this->Add({ surface, { ids[0], ids[i - 1], ids[i] } });
-    }
-  }
-
-  void AddStrip(std::size_t surface, vtkIdType count, const vtkIdType* ids)
-  {
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      const vtkIdType turned = i % 2; // every second triangle of a strip runs the other way round
-      this->Add({ surface, { ids[i - 2 + turned], ids[i - 1 - turned], ids[i] } });
-    }
-  }
-
-  CasterTriangles Take() { return std::move(this->made); }
-
-private:
-  void Add(const SurfaceTriangle& source)
-  {
-    const CastingSurface& surface = this->casters.surfaces[source.surface];
-    std::vector<glm::dvec3> corners;
-    for (const vtkIdType id : source.points)
-    {
-      const glm::dvec3 place = glm::make_vec3(surface.data->GetPoint(id));
-      corners.emplace_back(surface.worldFromData * glm::dvec4(place, 1.0));
-    }
-    for (const glm::dvec4& plane : surface.planesWorld)
-    {
-      corners = CutBy(plane, corners);
-    }
-    const auto cornerAt = [&](std::size_t i)
-    { return glm::vec3(corners[i] - this->casters.originWorld); };
-    for (std::size_t i = 2; i < corners.size(); ++i)
-    {
-      this->made.corners.push_back({ cornerAt(0), cornerAt(i - 1), cornerAt(i) });
-      this->made.sources.push_back(source);
-    }
-  }
-
-  const ShadowCasters& casters;
-  CasterTriangles made;
-};
-
-// Calls add(number of points, points) for each cell.
-template <class Add>
-void ForEachCell(vtkCellArray* cells, Add add)
-{
-  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCellAtId(cell, count, ids);
-    add(count, ids);
-  }
-}
-
 }
 
 ShadowCasters ShadowCastersOf(
@@ -359,19 +265,6 @@ ShadowCasters ShadowCastersOf(
   casters.fingerprint.insert(casters.fingerprint.end(), glm::value_ptr(casters.originWorld),
     glm::value_ptr(casters.originWorld) + 3);
   return casters;
-}
-
-CasterTriangles TrianglesOf(const ShadowCasters& casters)
-{
-  Triangulation triangulation(casters);
-  for (std::size_t i = 0; i < casters.surfaces.size(); ++i)
-  {
-    ForEachCell(casters.surfaces[i].data->GetPolys(),
-      [&](vtkIdType count, const vtkIdType* ids) { triangulation.AddPolygon(i, count, ids); });
-    ForEachCell(casters.surfaces[i].data->GetStrips(),
-      [&](vtkIdType count, const vtkIdType* ids) { triangulation.AddStrip(i, count, ids); });
-  }
-  return triangulation.Take();
 }
 
 }

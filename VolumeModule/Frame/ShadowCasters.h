@@ -9,7 +9,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +25,7 @@ namespace varimarch
 struct CastingSurface
 {
   vtkPolyData* data;
+  vtkMTimeType time; ///< The time of the last change of the data.
   vtkProperty* property;
   bool hasColors; ///< True if colours of the data or of a block replace those of the property.
   glm::dmat4 worldFromData;
@@ -54,22 +54,6 @@ struct ShadowCasters
 
 ShadowCasters ShadowCastersOf(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
-
-/// The place of a triangle in the data.
-struct SurfaceTriangle
-{
-  std::size_t surface;             ///< Its index in ShadowCasters::surfaces.
-  std::array<vtkIdType, 3> points; ///< A triangle of the data that contains it.
-};
-
-/// The triangles of all surfaces, without the parts that planes take.
-struct CasterTriangles
-{
-  std::vector<Triangle> corners;        ///< Relative to the origin [mm].
-  std::vector<SurfaceTriangle> sources; ///< One for each triangle.
-};
-
-CasterTriangles TrianglesOf(const ShadowCasters& casters);
 
 }
 

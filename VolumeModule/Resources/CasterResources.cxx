@@ -1,10 +1,10 @@
 #include "Resources/CasterResources.h"
 
-#include "Core/Geometry/TriangleTree.h"
 #include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,6 +27,12 @@ void CheckTexels(std::size_t count)
   }
 }
 
+// True if two surfaces differ at most by their matrices.
+bool AreOfSameTriangles(const CastingSurface& one, const CastingSurface& other)
+{
+  return one.data == other.data && one.time == other.time && one.planesWorld == other.planesWorld;
+}
+
 }
 
 void CasterResources::Update(const Frame& frame, Marcher marcher)
@@ -36,27 +42,74 @@ void CasterResources::Update(const Frame& frame, Marcher marcher)
     this->Release(frame.view.window);
     return;
   }
-  if (this->inputs != frame.casters.fingerprint)
+  if (!this->tree || this->made.fingerprint != frame.casters.fingerprint)
   {
-    CasterTriangles triangles = TrianglesOf(frame.casters);
-    const TriangleTree made(triangles.corners);
-    this->sources = std::move(triangles.sources);
-    this->tree.Set(frame.view.window, made.Texels());
-    this->texelCount = made.Texels().size();
-    this->inputs = frame.casters.fingerprint;
+    this->texture.Release(frame.view.window);
+    if (!this->Move(frame.casters))
+    {
+      this->Make(frame.casters);
+    }
+    this->made = frame.casters;
   }
-  if (marcher == Marcher::Device)
+  if (marcher == Marcher::Processor)
   {
-    CheckTexels(this->texelCount);
+    this->texture.Release(frame.view.window);
   }
-  this->tree.Update(frame.view.window, marcher);
+  else if (this->texture.Bytes() == 0)
+  {
+    CheckTexels(this->tree->Texels().size());
+    this->texture.Upload(frame.view.window, this->tree->Texels());
+  }
+}
+
+// Moves the triangles of surfaces. Returns false if the tree must be made anew.
+bool CasterResources::Move(const ShadowCasters& casters)
+{
+  const std::vector<CastingSurface>& now = casters.surfaces;
+  const std::vector<CastingSurface>& before = this->made.surfaces;
+  if (!this->tree ||
+    !std::equal(now.begin(), now.end(), before.begin(), before.end(), AreOfSameTriangles))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < now.size(); ++i)
+  {
+    const bool stays = now[i].worldFromData == before[i].worldFromData &&
+      casters.originWorld == this->made.originWorld;
+    // Planes cut other triangles of a surface that moves.
+    if (!stays &&
+      (!now[i].planesWorld.empty() || !this->tree->Move(i, TrianglesOf(casters, i).corners)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void CasterResources::Make(const ShadowCasters& casters)
+{
+  TriangleGroups groups;
+  this->sources.clear();
+  for (std::size_t i = 0; i < casters.surfaces.size(); ++i)
+  {
+    CasterTriangles triangles = TrianglesOf(casters, i);
+    groups.push_back(std::move(triangles.corners));
+    this->sources.insert(this->sources.end(), triangles.sources.begin(), triangles.sources.end());
+  }
+  this->tree.emplace(groups);
+}
+
+MarchTexture CasterResources::Tree() const
+{
+  return { this->texture.Texture(), this->tree ? this->tree->Texels().data() : nullptr };
 }
 
 void CasterResources::Release(vtkWindow* window)
 {
-  this->tree.Release(window);
+  this->texture.Release(window);
+  this->tree.reset();
   this->sources.clear();
-  this->inputs.clear();
+  this->made = {};
 }
 
 }

@@ -1,17 +1,21 @@
 #ifndef Varimarch_Resources_CasterResources_h
 #define Varimarch_Resources_CasterResources_h
 
+#include "Core/Geometry/TriangleTree.h"
+#include "Frame/CasterTriangles.h"
 #include "Frame/Frame.h"
-#include "Resources/FloatTable.h"
+#include "Resources/FloatBufferTexture.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace varimarch
 {
 
-/// The opaque geometry that casts shadows on a volume, as a TriangleTree, which is made again only
-/// when the geometry changes.
+/// The opaque geometry that casts shadows on a volume, as a TriangleTree. The tree is made again
+/// when the data of the geometry change. Where only matrices do, the triangles of these surfaces
+/// are moved in it.
 class CasterResources
 {
 public:
@@ -19,17 +23,20 @@ public:
   void Update(const Frame& frame, Marcher marcher);
 
   /// The tree; null without geometry.
-  MarchTexture Tree() const { return this->tree.Texture(); }
+  MarchTexture Tree() const;
   /// The places of its triangles in the data.
   const std::vector<SurfaceTriangle>& Sources() const { return this->sources; }
-  std::size_t Bytes() const { return this->tree.Bytes(); } ///< Its graphics memory.
+  std::size_t Bytes() const { return this->texture.Bytes(); } ///< Its graphics memory.
   void Release(vtkWindow* window);
 
 private:
-  std::vector<double> inputs; ///< The fingerprint of the geometry in the tree.
-  FloatTable tree;
+  bool Move(const ShadowCasters& casters);
+  void Make(const ShadowCasters& casters);
+
+  ShadowCasters made; ///< The geometry in the tree; its data may be gone.
+  std::optional<TriangleTree> tree;
+  FloatBufferTexture texture; ///< The tree for the device.
   std::vector<SurfaceTriangle> sources;
-  std::size_t texelCount = 0;
 };
 
 }

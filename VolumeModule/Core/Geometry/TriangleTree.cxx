@@ -4,11 +4,14 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace varimarch
 {
@@ -55,84 +58,235 @@ bool CanBeMet(const Triangle& triangle)
   return area > 0.0 && std::isfinite(area);
 }
 
+void PutTriangle(glm::vec4* texel, const Triangle& corners)
+{
+  texel[0] = glm::vec4(corners[0], texel[0].w);
+  texel[1] = glm::vec4(corners[1] - corners[0], texel[1].w);
+  texel[2] = glm::vec4(corners[2] - corners[0], texel[2].w);
 }
 
-TriangleTree::TriangleTree(const std::vector<Triangle>& all)
+// Puts the half of things with the smaller middles along the longest side first.
+// @param middleOf  (thing) -> place
+// @return the first thing of the other half
+template <class Thing, class Middle>
+Thing* Halve(Thing* begin, Thing* end, const Middle& middleOf)
 {
-  if (all.size() > MostTriangles)
+  Corners middles;
+  std::for_each(begin, end, [&](const Thing& one) { middles.Add(middleOf(one)); });
+  const glm::vec3 size = middles.upper - middles.lower;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  Thing* const half = begin + (end - begin) / 2;
+  std::nth_element(begin, half, end,
+    [&](const Thing& a, const Thing& b) { return middleOf(a)[axis] < middleOf(b)[axis]; });
+  return half;
+}
+
+}
+
+TriangleTree::TriangleTree(const TriangleGroups& all)
+{
+  std::size_t count = 0;
+  for (const std::vector<Triangle>& group : all)
   {
-    throw std::invalid_argument("A tree has " + std::to_string(all.size()) +
+    this->groups.push_back({ count, 0, 0, 0, 0 });
+    count += group.size();
+  }
+  if (count > MostTriangles)
+  {
+    throw std::invalid_argument("A tree has " + std::to_string(count) +
       " triangles: expected at most " + std::to_string(MostTriangles));
   }
-  std::vector<Numbered> met;
-  met.reserve(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
+  std::vector<Sorted> sorted = this->SortedGroups(all);
+  this->AddGroups(sorted.data(), sorted.data() + sorted.size());
+  this->PlaceTriangles();
+  this->FitBoxes(0, std::size_t(this->texels[0].w));
+}
+
+// The groups with any triangle that can be met.
+std::vector<TriangleTree::Sorted> TriangleTree::SortedGroups(const TriangleGroups& all)
+{
+  std::vector<Sorted> sorted;
+  for (std::size_t group = 0; group < all.size(); ++group)
   {
-    if (CanBeMet(all[i]))
+    std::vector<Numbered> met;
+    met.reserve(all[group].size());
+    for (std::size_t i = 0; i < all[group].size(); ++i)
     {
-      met.push_back({ all[i], i });
+      if (CanBeMet(all[group][i]))
+      {
+        met.push_back({ all[group][i], this->groups[group].firstNumber + i });
+      }
+    }
+    if (!met.empty())
+    {
+      sorted.push_back(SortedOf(group, std::move(met)));
     }
   }
-  this->AddNode(met.data(), met.data() + met.size());
-  // Triangles come behind the nodes, whose number is known only now.
-  for (std::size_t node = 0; node < this->texels.size(); node += 2)
+  return sorted;
+}
+
+TriangleTree::Sorted TriangleTree::SortedOf(std::size_t group, std::vector<Numbered> triangles)
+{
+  Sort(triangles.data(), triangles.data() + triangles.size());
+  Corners corners;
+  for (const Numbered& one : triangles)
+  {
+    corners.Add(MiddleOf(one.corners));
+  }
+  return { group, std::move(triangles), 0.5f * (corners.lower + corners.upper) };
+}
+
+// Each call has half of the triangles of the one above it, so that there are at most 21 of them.
+void TriangleTree::Sort(Numbered* begin, Numbered* end)
+{
+  constexpr std::ptrdiff_t LeastForTwoCores = 8192;
+  if (end - begin <= MostTrianglesOfNode)
+  {
+    return;
+  }
+  Numbered* const half =
+    Halve(begin, end, [](const Numbered& one) { return MiddleOf(one.corners); });
+  if (end - begin < LeastForTwoCores)
+  {
+    Sort(begin, half);
+    Sort(half, end);
+    return;
+  }
+  tbb::parallel_invoke([=] { Sort(begin, half); }, [=] { Sort(half, end); });
+}
+
+void TriangleTree::AddGroups(Sorted* begin, Sorted* end)
+{
+  if (end - begin == 1)
+  {
+    Group& group = this->groups[begin->group];
+    group.firstNode = this->texels.size() / 2;
+    group.firstTexel = this->triangles.size();
+    const Numbered* const first = begin->triangles.data();
+    this->AddNodes(first, first + begin->triangles.size());
+    group.endNode = this->texels.size() / 2;
+    group.endTexel = this->triangles.size();
+    return;
+  }
+  const std::size_t node = this->AddNode(-1.0f);
+  this->nodesOfGroups.push_back(node);
+  if (begin != end)
+  {
+    Sorted* const half = Halve(begin, end, [](const Sorted& one) { return one.middle; });
+    this->AddGroups(begin, half);
+    this->AddGroups(half, end);
+  }
+  this->CloseNode(node);
+}
+
+// @param firstTriangle  its texel among those of triangles; below 0 if the node has nodes
+std::size_t TriangleTree::AddNode(float firstTriangle)
+{
+  this->texels.emplace_back(0.0f);
+  this->texels.emplace_back(glm::vec3(0.0f), firstTriangle);
+  return this->texels.size() / 2 - 1;
+}
+
+void TriangleTree::CloseNode(std::size_t node)
+{
+  this->texels[2 * node].w = float(this->texels.size() / 2);
+}
+
+// The nodes of triangles that are sorted.
+void TriangleTree::AddNodes(const Numbered* begin, const Numbered* end)
+{
+  const bool hasTriangles = end - begin <= MostTrianglesOfNode;
+  const std::size_t node = this->AddNode(hasTriangles ? float(this->triangles.size()) : -1.0f);
+  if (hasTriangles)
+  {
+    for (const Numbered* one = begin; one != end; ++one)
+    {
+      this->triangles.emplace_back(glm::vec3(0.0f), one + 1 == end ? 1.0f : 0.0f);
+      this->triangles.emplace_back(glm::vec3(0.0f), float(one->number));
+      this->triangles.emplace_back(0.0f);
+      PutTriangle(&this->triangles.back() - 2, one->corners);
+    }
+  }
+  else
+  {
+    const Numbered* const half = begin + (end - begin) / 2;
+    this->AddNodes(begin, half);
+    this->AddNodes(half, end);
+  }
+  this->CloseNode(node);
+}
+
+// Puts the triangles behind the nodes, whose number is known when all are made.
+void TriangleTree::PlaceTriangles()
+{
+  const std::size_t behind = this->texels.size();
+  for (std::size_t node = 0; node < behind; node += 2)
   {
     float& first = this->texels[node + 1].w;
-    first = first < 0.0f ? 0.0f : first + float(this->texels.size());
+    first = first < 0.0f ? 0.0f : first + float(behind);
+  }
+  for (Group& group : this->groups)
+  {
+    group.firstTexel += behind;
+    group.endTexel += behind;
   }
   this->texels.insert(this->texels.end(), this->triangles.begin(), this->triangles.end());
   this->triangles = {};
 }
 
-// Puts the half of the triangles with the smaller middles along the longest side first.
-TriangleTree::Numbered* TriangleTree::Halve(Numbered* begin, Numbered* end)
-{
-  Corners middles;
-  std::for_each(begin, end, [&](const Numbered& one) { middles.Add(MiddleOf(one.corners)); });
-  const glm::vec3 size = middles.upper - middles.lower;
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  Numbered* const half = begin + (end - begin) / 2;
-  std::nth_element(begin, half, end,
-    [axis](const Numbered& a, const Numbered& b)
-    { return MiddleOf(a.corners)[axis] < MiddleOf(b.corners)[axis]; });
-  return half;
-}
-
-// Each call has half of the triangles of the one above it, so that there are at most 21 of them.
-void TriangleTree::AddNode(Numbered* begin, Numbered* end)
+void TriangleTree::FitBox(std::size_t node)
 {
   Corners corners;
-  for (const Numbered* one = begin; one != end; ++one)
+  glm::vec4& lower = this->texels[2 * node];
+  glm::vec4& upper = this->texels[2 * node + 1];
+  bool isLast = !(upper.w > 0.0f);
+  for (auto texel = std::size_t(upper.w); !isLast; texel += 3)
   {
-    std::for_each(one->corners.begin(), one->corners.end(),
-      [&](const glm::vec3& corner) { corners.Add(corner); });
+    const glm::vec3 first(this->texels[texel]);
+    corners.Add(first);
+    corners.Add(first + glm::vec3(this->texels[texel + 1]));
+    corners.Add(first + glm::vec3(this->texels[texel + 2]));
+    isLast = this->texels[texel].w > 0.0f;
   }
-  const bool hasTriangles = begin != end && end - begin <= MostTrianglesOfNode;
-  const std::size_t node = this->texels.size();
-  this->texels.emplace_back(corners.lower, 0.0f);
-  this->texels.emplace_back(corners.upper, hasTriangles ? float(this->triangles.size()) : -1.0f);
-  if (hasTriangles)
+  const std::size_t end = upper.w > 0.0f ? 0 : std::size_t(lower.w);
+  for (std::size_t inner = node + 1; inner < end; inner = std::size_t(this->texels[2 * inner].w))
   {
-    this->AddTriangles(begin, end);
+    corners.Add(glm::vec3(this->texels[2 * inner]));
+    corners.Add(glm::vec3(this->texels[2 * inner + 1]));
   }
-  else if (begin != end)
-  {
-    Numbered* const half = Halve(begin, end);
-    this->AddNode(begin, half);
-    this->AddNode(half, end);
-  }
-  this->texels[node].w = float(this->texels.size() / 2);
+  lower = glm::vec4(corners.lower, lower.w);
+  upper = glm::vec4(corners.upper, upper.w);
 }
 
-void TriangleTree::AddTriangles(const Numbered* begin, const Numbered* end)
+// A node comes before those in it.
+void TriangleTree::FitBoxes(std::size_t firstNode, std::size_t endNode)
 {
-  for (const Numbered* one = begin; one != end; ++one)
+  for (std::size_t node = endNode; node > firstNode; --node)
   {
-    const glm::vec3 first = one->corners[0];
-    this->triangles.emplace_back(first, one + 1 == end ? 1.0f : 0.0f);
-    this->triangles.emplace_back(one->corners[1] - first, float(one->number));
-    this->triangles.emplace_back(one->corners[2] - first, 0.0f);
+    this->FitBox(node - 1);
   }
+}
+
+bool TriangleTree::Move(std::size_t group, const std::vector<Triangle>& moved)
+{
+  const Group& one = this->groups[group];
+  const auto cornersAt = [&](std::size_t texel) -> const Triangle&
+  { return moved[std::size_t(this->texels[texel + 1].w) - one.firstNumber]; };
+  for (std::size_t texel = one.firstTexel; texel < one.endTexel; texel += 3)
+  {
+    if (!CanBeMet(cornersAt(texel)))
+    {
+      return false;
+    }
+  }
+  for (std::size_t texel = one.firstTexel; texel < one.endTexel; texel += 3)
+  {
+    PutTriangle(&this->texels[texel], cornersAt(texel));
+  }
+  this->FitBoxes(one.firstNode, one.endNode);
+  std::for_each(this->nodesOfGroups.rbegin(), this->nodesOfGroups.rend(),
+    [this](std::size_t node) { this->FitBox(node); });
+  return true;
 }
 
 std::optional<TriangleHit> NearestTriangle(
