@@ -6,6 +6,7 @@
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
+#include <vtkObjectFactory.h>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -124,6 +125,41 @@ TEST(ReceivingProps, AreLeftOutBesideVolumesThatOthersDraw)
   EXPECT_FALSE(cube.ShowsShadows());
   second.volume->VisibilityOff();
   EXPECT_TRUE(cube.ShowsShadows());
+}
+
+namespace
+{
+
+// A mapper that lets another one draw, as one that draws a volume in parts.
+class MapperOfParts : public vtkVariationFieldVolumeMapper
+{
+public:
+  static MapperOfParts* New() { VTK_STANDARD_NEW_BODY(MapperOfParts); }
+  vtkTypeMacro(MapperOfParts, vtkVariationFieldVolumeMapper);
+
+  vtkNew<vtkVariationFieldVolumeMapper> part;
+
+protected:
+  void DrawFrame(vtkRenderer* renderer, vtkVolume* volume) override
+  {
+    this->part->Render(renderer, volume);
+  }
+};
+
+}
+
+// A part would dim, behind it, the colours of those that were drawn before.
+TEST(ReceivingProps, AreLeftOutBehindPartsOfAVolume)
+{
+  CubeAboveFloor cube;
+  cube.AddSun();
+  vtkNew<MapperOfParts> mapper;
+  mapper->SetInputData(cube.scene.image);
+  mapper->part->SetInputData(cube.scene.image);
+  cube.scene.volume->SetMapper(mapper);
+  const std::vector<float> lit = cube.scene.Draw();
+  mapper->part->ShadowsOn();
+  EXPECT_EQ(cube.scene.Draw(), lit);
 }
 
 TEST(ReceivingProps, AreDimmedInTheWindowWhereTheVolumeIsDrawnToImages)
