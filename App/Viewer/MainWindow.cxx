@@ -20,6 +20,7 @@
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/CurvedView.h"
+#include "Viewer/View/DrawingTurns.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/ViewLayout.h"
 #include "Viewer/View/VolumeView.h"
@@ -132,12 +133,14 @@ void MainWindow::Listen()
 void MainWindow::MakeViews()
 {
   std::vector<QWidget*> slices;
+  auto* const turns = new DrawingTurns(this);
   const std::pair<SlicePlane, QString> planes[] = { { SlicePlane::Axial, tr("Axial slice") },
     { SlicePlane::Coronal, tr("Coronal slice") }, { SlicePlane::Sagittal, tr("Sagittal slice") } };
   for (const auto& [plane, name] : planes)
   {
     this->sliceViews.push_back(new SliceView(&this->model, plane));
     this->sliceViews.back()->setAccessibleName(name);
+    this->sliceViews.back()->SetTurns(turns);
     slices.push_back(this->sliceViews.back());
   }
   auto* const bars = new QWidget;
@@ -206,18 +209,6 @@ void MainWindow::MakeFileMenu()
   this->MakeExportActions(file);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
-}
-
-void MainWindow::ListRecentScans()
-{
-  this->recentMenu->clear();
-  for (const RecentScan& scan : this->recentScans.List())
-  {
-    this->recentMenu->addAction(
-      scan.label, this, [this, scan] { this->Open(scan.path, scan.series); });
-  }
-  this->recentMenu->addSeparator();
-  this->recentMenu->addAction(tr("Clear the list"), this, [this] { this->recentScans.Clear(); });
 }
 
 void MainWindow::MakeEditMenu()

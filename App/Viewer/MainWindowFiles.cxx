@@ -247,6 +247,18 @@ void MainWindow::ExportPicture()
   }
 }
 
+void MainWindow::ListRecentScans()
+{
+  this->recentMenu->clear();
+  for (const RecentScan& scan : this->recentScans.List())
+  {
+    this->recentMenu->addAction(
+      scan.label, this, [this, scan] { this->Open(scan.path, scan.series); });
+  }
+  this->recentMenu->addSeparator();
+  this->recentMenu->addAction(tr("Clear the list"), this, [this] { this->recentScans.Clear(); });
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
   if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())

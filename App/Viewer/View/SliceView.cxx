@@ -56,7 +56,7 @@ void SliceView::Update(ScenePart part)
     part == ScenePart::Overlays)
   {
     this->texts = this->model->Texts();
-    this->update();
+    part == ScenePart::Volume&& this->turns ? this->turns->Await(this) : this->update();
   }
   if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments)
   {

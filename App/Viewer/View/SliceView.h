@@ -7,6 +7,7 @@
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/CrosshairArms.h"
+#include "Viewer/View/DrawingTurns.h"
 #include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/SlicePlacement.h"
 
@@ -40,6 +41,9 @@ public:
 
   /// The left button edits segments while a tool of the editor is chosen.
   void SetSegmentEditor(SegmentEditor* newEditor);
+
+  /// A slice of a new volume is painted in its turn; without turns it is painted with the window.
+  void SetTurns(DrawingTurns* newTurns) { this->turns = newTurns; }
 
   /// Sets the texts at the edges; at first all are shown.
   void SetCornerTexts(const CornerTexts& shown);
@@ -104,6 +108,7 @@ private:
   bool toolIsActive = false; ///< a gesture of the measure tool is in progress
   MeasureTexts texts;
   SegmentEditor* segmentEditor = nullptr; ///< null before it is set
+  DrawingTurns* turns = nullptr;          ///< null before they are set
   bool isDrawing = false;                 ///< a stroke is in progress
   QPointF pointer;
   QPoint pressed;

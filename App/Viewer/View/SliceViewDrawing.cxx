@@ -30,7 +30,7 @@ void SliceView::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.fillRect(this->rect(), Qt::black);
-  if (!this->model->CurrentStudy())
+  if (!this->model->CurrentStudy() || (this->turns && this->turns->Awaits(this)))
   {
     return;
   }
