@@ -112,7 +112,7 @@ void MainWindow::ShowSuggestion(const Study& study)
         SuggestionText(SuggestedPreset(study.volume, study.statistics))));
 }
 
-// Edits of segments leave a bar closed that the user has closed.
+// Edits of segments and of names leave a bar closed that the user has closed.
 void MainWindow::ShowWarnings(bool isNewVolume)
 {
   const Study& study = *this->model.CurrentStudy();
@@ -120,11 +120,8 @@ void MainWindow::ShowWarnings(bool isNewVolume)
   const QString remedy = slices == SliceLayout::Irregular ? tr("Rectify")
     : slices == SliceLayout::Rectified                    ? tr("Show as scanned")
                                                           : QString();
-  const QStringList texts = WarningBar::TextsOf(this->model.CurrentScene(), study);
-  if (isNewVolume || texts != this->warnings->Texts())
-  {
-    this->warnings->Show(texts, remedy);
-  }
+  const std::vector<ScanWarning> found = WarningBar::WarningsOf(this->model.CurrentScene(), study);
+  isNewVolume ? this->warnings->Show(found, remedy) : this->warnings->Update(found, remedy);
 }
 
 // Segments are read anew for the other grid, so they are saved before.

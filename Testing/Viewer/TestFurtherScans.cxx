@@ -19,6 +19,7 @@
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QThreadPool>
+#include <QToolButton>
 
 using namespace varimarch;
 
@@ -72,6 +73,17 @@ protected:
     this->window.findChild<QDoubleSpinBox*>("smallestValue")->setValue(900.0);
     this->window.findChild<QDoubleSpinBox*>("largestValue")->setValue(1100.0);
     QTest::mouseClick(slice, Qt::LeftButton, {}, slice->rect().center());
+  }
+
+  /// Adds a PET with a warning, named "uptake".
+  void AddPetWithWarning(const std::string& warning)
+  {
+    Study pet = *PetOver(this->Model()->CurrentStudy()->volume.image);
+    pet.volume.warnings = { warning };
+    OverlaidVolume overlay =
+      OverlayOf(FileSource{ "/scans/pet", std::nullopt }, pet.volume, pet.statistics);
+    overlay.name = "uptake";
+    this->Model()->AddOverlay(overlay, std::make_shared<const Study>(pet), "add");
   }
 
   QString WritePet()
@@ -250,25 +262,34 @@ TEST_F(FurtherScans, SayThatTheirSegmentsCannotBeRead)
   this->window.Open(this->Path("session.json"));
   ASSERT_TRUE(this->AwaitOverlays(1));
   EXPECT_FALSE(this->Model()->CurrentScene().overlays[0].labels);
-  const QStringList warnings =
-    WarningBar::TextsOf(this->Model()->CurrentScene(), *this->Model()->CurrentStudy());
+  const QStringList warnings = this->window.findChild<WarningBar*>()->Texts();
   EXPECT_EQ(warnings.filter("missing.seg.nrrd").size(), 1) << warnings.join('\n').toStdString();
 }
 
 TEST_F(FurtherScans, ShowTheirWarningsWithTheirNames)
 {
   this->OpenTorso();
-  Study pet = *PetOver(this->Model()->CurrentStudy()->volume.image);
-  pet.volume.warnings = { "2 slices are missing." };
-  OverlaidVolume overlay =
-    OverlayOf(FileSource{ "/scans/pet", std::nullopt }, pet.volume, pet.statistics);
-  overlay.name = "uptake";
-  this->Model()->AddOverlay(overlay, std::make_shared<const Study>(pet), "add");
+  this->AddPetWithWarning("2 slices are missing.");
   const auto* const bar = this->window.findChild<WarningBar*>();
   EXPECT_TRUE(bar->isVisible());
   EXPECT_EQ(bar->Texts(), QStringList("uptake: 2 slices are missing."));
   this->Model()->RemoveOverlay(0, "remove");
   EXPECT_FALSE(bar->isVisible());
+}
+
+TEST_F(FurtherScans, KeepTheirWarningsClosedWhenTheyAreRenamed)
+{
+  this->OpenTorso();
+  this->AddPetWithWarning("2 slices are missing.");
+  auto* const bar = this->window.findChild<WarningBar*>();
+  bar->findChild<QToolButton*>()->click();
+  ASSERT_FALSE(bar->isVisible());
+  this->Model()->Edit(
+    ScenePart::Overlays, "rename", [](Scene& scene) { scene.overlays[0].name = "tracer"; });
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_EQ(bar->Texts(), QStringList("tracer: 2 slices are missing."));
+  this->AddPetWithWarning("2 slices are missing.");
+  EXPECT_TRUE(bar->isVisible()) << "this is another scan";
 }
 
 // The labels of the torso lie within the PET too, but have the voxels of the torso.

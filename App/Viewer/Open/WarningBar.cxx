@@ -9,8 +9,15 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace varimarch
 {
+
+QString ScanWarning::Text() const
+{
+  return this->name.isEmpty() ? this->sentence : this->name + ": " + this->sentence;
+}
 
 WarningBar::WarningBar(QWidget* parent)
   : QFrame(parent)
@@ -43,34 +50,61 @@ WarningBar::WarningBar(QWidget* parent)
   this->hide();
 }
 
-QStringList WarningBar::TextsOf(const Scene& scene, const Study& study)
+std::vector<ScanWarning> WarningBar::WarningsOf(const Scene& scene, const Study& study)
 {
-  QStringList texts;
+  std::vector<ScanWarning> all;
   for (int volume = 0; volume < VolumeCount(scene); ++volume)
   {
     const Study& one = StudyOfVolume(study, volume);
     const std::string name = volume == 0 ? std::string() : scene.overlays[volume - 1].name;
-    const QString begin = name.empty() ? QString() : QString::fromStdString(name) + ": ";
-    std::vector<std::string> warnings = one.volume.warnings;
+    std::vector<std::string> sentences = one.volume.warnings;
     if (one.labels)
     {
-      warnings.insert(warnings.end(), one.labels->warnings.begin(), one.labels->warnings.end());
+      sentences.insert(sentences.end(), one.labels->warnings.begin(), one.labels->warnings.end());
     }
-    for (const std::string& warning : warnings)
+    for (const std::string& sentence : sentences)
     {
-      texts.append(begin + QString::fromStdString(warning));
+      all.push_back(
+        { one.labelGuard, QString::fromStdString(sentence), QString::fromStdString(name) });
     }
   }
-  return texts;
+  return all;
 }
 
-void WarningBar::Show(const QStringList& warnings, const QString& remedy)
+void WarningBar::Show(const std::vector<ScanWarning>& warnings, const QString& remedy)
 {
-  this->texts = warnings;
-  this->remedy->setText(remedy);
-  this->remedy->setVisible(!remedy.isEmpty());
-  this->text->setText(warnings.join('\n'));
-  this->setVisible(!warnings.isEmpty());
+  this->SetWarnings(warnings, remedy);
+  this->setVisible(!warnings.empty());
+}
+
+void WarningBar::Update(const std::vector<ScanWarning>& warnings, const QString& remedy)
+{
+  const auto isShown = [this](const ScanWarning& warning)
+  {
+    return std::any_of(this->shown.begin(), this->shown.end(),
+      [&](const ScanWarning& other) { return warning.IsThatOf(other); });
+  };
+  const bool isAnyNew = !std::all_of(warnings.begin(), warnings.end(), isShown);
+  this->SetWarnings(warnings, remedy);
+  this->setVisible(isAnyNew || (!this->isHidden() && !warnings.empty()));
+}
+
+void WarningBar::SetWarnings(const std::vector<ScanWarning>& warnings, const QString& newRemedy)
+{
+  this->shown = warnings;
+  this->remedy->setText(newRemedy);
+  this->remedy->setVisible(!newRemedy.isEmpty());
+  this->text->setText(this->Texts().join('\n'));
+}
+
+QStringList WarningBar::Texts() const
+{
+  QStringList texts;
+  for (const ScanWarning& warning : this->shown)
+  {
+    texts.append(warning.Text());
+  }
+  return texts;
 }
 
 }
