@@ -171,6 +171,28 @@ TEST_F(StudyList, KeepsWhatWasReadBeforeACancelAndGoesOn)
   EXPECT_EQ(this->index.Series()[0].imageCount, 6);
 }
 
+// A window that waits for the list while files are read would be told that it is locked.
+TEST_F(StudyList, IsNotLockedWhileFilesAreRead)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->WriteImage(std::to_string(i), "DOE^JANE", "1.2.33", i);
+  }
+  double next = 0.1; // the files are found
+  this->Update(
+    [&](double part)
+    {
+      if (part > next)
+      {
+        next = part;
+        this->index.Forget("/another/folder");
+      }
+      return true;
+    });
+  EXPECT_GT(next, 0.1) << "nothing was written meanwhile";
+  EXPECT_EQ(this->index.Series().at(0).imageCount, 3);
+}
+
 TEST_F(StudyList, KeepsAFolderWhoseDiskIsAway)
 {
   this->WriteImage("1", "DOE^JANE", "1.2.33", 0);

@@ -18,6 +18,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace varimarch
@@ -29,7 +30,7 @@ namespace
 // Another layout of the tables has another number; a file of another number is made anew.
 constexpr int LayoutVersion = 1;
 
-// A transaction ends after this many images, so that little is lost if the program is killed.
+// So many images are kept in one transaction, so that little is lost if the program is killed.
 constexpr std::size_t ImagesPerTransaction = 500;
 
 [[noreturn]] void FailOnIndex(const QString& file, const QString& found)
@@ -190,6 +191,43 @@ void Keep(
     values);
 }
 
+// Images that were read but are not in the list yet. A transaction locks the list for other windows
+// and programs, so there is none while a file is read.
+class ReadImages
+{
+public:
+  ReadImages(Connection& connection, const QString& folder)
+    : connection(connection)
+    , folder(folder)
+  {
+  }
+
+  void Add(const std::string& path, const DicomRecord& record)
+  {
+    this->images.emplace_back(QString::fromStdString(path), record);
+    if (this->images.size() == ImagesPerTransaction)
+    {
+      this->KeepAll();
+    }
+  }
+
+  void KeepAll()
+  {
+    this->connection.Begin();
+    for (const auto& [path, record] : this->images)
+    {
+      Keep(this->connection, this->folder, path, record);
+    }
+    this->connection.Commit();
+    this->images.clear();
+  }
+
+private:
+  Connection& connection;
+  QString folder;
+  std::vector<std::pair<QString, DicomRecord>> images;
+};
+
 // Removes the files that are gone from the list, and returns those that are new or have changed.
 std::vector<std::string> ForgetGone(
   Connection& connection, const QString& folder, const std::vector<std::string>& files)
@@ -292,26 +330,19 @@ void StudyIndex::Update(const QString& folder, const TaskProgress& goesOn) const
   Connection connection(this->file);
   connection.Run("INSERT OR IGNORE INTO folders VALUES (?)", { folder });
   const std::vector<std::string> changed = ForgetGone(connection, folder, files);
-  connection.Begin();
+  ReadImages images(connection, folder);
   const auto take = [&](std::size_t i, const DicomRecord& record)
-  {
-    Keep(connection, folder, QString::fromStdString(changed[i]), record);
-    if (i % ImagesPerTransaction == ImagesPerTransaction - 1)
-    {
-      connection.Commit();
-      connection.Begin();
-    }
-  };
+  { images.Add(changed[i], record); };
   try
   {
     ForEachRecord(changed, take, reading);
   }
   catch (const ReadCancelled&)
   {
-    connection.Commit();
+    images.KeepAll();
     throw;
   }
-  connection.Commit();
+  images.KeepAll();
 }
 
 void StudyIndex::Forget(const QString& folder) const
