@@ -128,6 +128,7 @@ void ScenePipeline::SetLook(const Look& newLook)
   }
   this->ApplyProperty();
   this->ApplyMask();
+  this->ApplyOverlays(); // the segments of the first volume have its shading
 }
 
 void ScenePipeline::SetLights(const std::vector<SceneLight>& lights)

@@ -266,6 +266,24 @@ TEST(SceneOverlays, LeaveTheSegmentsOfTheFirstVolumeVisible)
   EXPECT_EQ(view.FloatImage()->GetScalarComponentAsDouble(32, 32, 0, 3), 0.0);
 }
 
+TEST(SceneOverlays, LightTheSegmentsOfTheFirstVolumeByItsLook)
+{
+  ClearCubes cubes;
+  cubes.scene.labels = SceneLabels{ "labels", {}, { { 1, "slab", { 1.0, 1.0, 1.0 } } } };
+  OffscreenView view(cubes.scene, cubes.image, MapperKind::Varimarch);
+  view.Pipeline().SetOverlays(cubes.scene.overlays, cubes.others);
+  view.Pipeline().SetLabels(SlabOf(cubes.image, cubes.scene.labels->segments[0]));
+  const auto brightness = [&](double ambient, double diffuse)
+  {
+    Look look = cubes.scene.look;
+    look.shading = { true, ambient, diffuse, 0.0, 1.0 };
+    view.Pipeline().SetLook(look);
+    return view.FloatImage()->GetScalarComponentAsDouble(32, 32, 0, 0);
+  };
+  EXPECT_GT(brightness(1.0, 0.0), 0.9);
+  EXPECT_LT(brightness(0.1, 0.0), 0.2);
+}
+
 TEST(SceneOverlays, SayWhenNotAllSegmentationsFit)
 {
   Scene scene;
