@@ -22,10 +22,8 @@ void Turn(MethodView& view, double degrees)
   renderer->ResetCameraClippingRange();
 }
 
-// VTK's GPU mapper must have drawn an ordinary frame before a float image.
 Pixels PixelsOf(MethodView& view)
 {
-  view.Offscreen().Render();
   const auto picture = view.Offscreen().FloatImage();
   const auto* const channels = static_cast<const float*>(picture->GetScalarPointer());
   return Pixels(channels, channels + 4 * picture->GetNumberOfPoints());
@@ -74,6 +72,7 @@ std::vector<OrbitChange> ChangesInOrbit(const std::vector<MethodView*>& views, c
   std::vector<OrbitingView> orbiting;
   for (MethodView* const view : views)
   {
+    view->Offscreen().Render(); // VTK's GPU mapper draws its first frame only into the window
     orbiting.push_back({ view, {}, {} });
   }
   for (int frame = 0; frame < frames; ++frame)

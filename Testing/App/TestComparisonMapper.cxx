@@ -9,6 +9,7 @@
 #include "Frame/PropertyTransferFunction.h"
 #include "Frame/VolumeGeometry.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -216,12 +217,20 @@ TEST(Slices, OfTheStackPopWhereItChanges)
   const RenderOptions options = AtDistance(image, 1.0, {}).options;
   objectView.SetOptions(options);
   viewView.SetOptions(options);
+  constexpr int Frames = 18;
+  int drawn = 0;
+  vtkNew<vtkCallbackCommand> counting;
+  counting->SetClientData(&drawn);
+  counting->SetCallback(
+    [](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
+  viewView.Offscreen().Pipeline().Renderer()->AddObserver(vtkCommand::StartEvent, counting);
   const auto changes =
-    ChangesInOrbit({ &objectView, &viewView }, settings, image, 18, [](const std::string&) {});
+    ChangesInOrbit({ &objectView, &viewView }, settings, image, Frames, [](const std::string&) {});
   EXPECT_GT(changes[0].largest, 3.0 * changes[0].median);
-  EXPECT_NEAR(changes[0].largestAtDegrees, 9.0 * 90.0 / 17.0, 1e-9)
+  EXPECT_NEAR(changes[0].largestAtDegrees, 9.0 * 90.0 / (Frames - 1), 1e-9)
     << "the first beyond 45 degrees";
   EXPECT_LT(changes[1].largest, 3.0 * changes[1].median);
+  EXPECT_EQ(drawn, Frames + 1) << "each frame once, after a first one";
 }
 
 TEST(OrbitChange, NamesTheFrameOfTheLargestChange)
