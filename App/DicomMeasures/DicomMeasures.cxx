@@ -256,7 +256,7 @@ void AddScan(const std::string& image, DSRDocument& document, const std::string&
 {
   DcmFileFormat file = ImageOfScan(image);
   DcmDataset& scan = *file.getDataset();
-  scan.convertToUTF8(); // as the names of the measurements are
+  ConvertTextsToUtf8(scan, image); // as the names of the measurements are
   Require(document.setSpecificCharacterSetType(DSRTypes::CS_UTF8), path);
   Require(document.readPatientData(scan), path);
   Require(document.readStudyData(scan), path);

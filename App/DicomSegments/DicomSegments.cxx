@@ -239,7 +239,7 @@ void AddScan(
 {
   DcmFileFormat image = ImageOfScan(images.front());
   DcmDataset& scan = *image.getDataset();
-  scan.convertToUTF8(); // as the names of the segments are
+  ConvertTextsToUtf8(scan, images.front()); // as the names of the segments are
   Require(segmentation.importFromSourceImage(scan), path);
   Require(segmentation.getSeries().setSeriesDescription("Segments"), path);
   Require(segmentation.getSeries().setSeriesNumber("1"), path);

@@ -34,6 +34,20 @@ DcmFileFormat ImageOfScan(const std::string& image)
   return file;
 }
 
+void ConvertTextsToUtf8(DcmDataset& scan, const std::string& image)
+{
+  const OFCondition converted = scan.convertToUTF8();
+  if (converted.bad())
+  {
+    OFString named;
+    scan.findAndGetOFStringArray(DCM_SpecificCharacterSet, named);
+    throw std::runtime_error(image +
+      ": expected texts in the character set that the image names, \"" + named.c_str() +
+      "\", found others, so that the name of the patient would be another one: " +
+      converted.text());
+  }
+}
+
 ImageUids UidsOf(DcmDataset& image)
 {
   ImageUids uids;

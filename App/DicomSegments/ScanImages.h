@@ -20,6 +20,11 @@ void RequireNoImage(const std::vector<std::string>& images, const std::string& p
 /// @throws std::runtime_error if it cannot be read
 DcmFileFormat ImageOfScan(const std::string& image);
 
+/// Converts the texts of an image to UTF-8, as DICOM objects of this program have them.
+/// @throws std::runtime_error with one sentence if they are not in the character set that the image
+///         names
+void ConvertTextsToUtf8(DcmDataset& scan, const std::string& image);
+
 /// The identifiers of an image and of its kind, by which other objects refer to it.
 struct ImageUids
 {

@@ -185,6 +185,14 @@ TEST_F(DicomMeasures, NeverReplaceAnImageOfTheScan)
   EXPECT_NE(this->FailureOf("slice1").find("choose another name"), std::string::npos);
 }
 
+// Else the patient would have another name in them.
+TEST_F(DicomMeasures, NeedTextsInTheNamedCharacterSet)
+{
+  WriteScanOfPatient(this->folder, "ISO_IR 999");
+  EXPECT_NE(this->FailureOf("sr.dcm").find("ISO_IR 999"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(this->folder.Path("sr.dcm")));
+}
+
 TEST_F(DicomMeasures, NeedAFrameOfReference)
 {
   this->scan.frameOfReference.clear();

@@ -140,6 +140,14 @@ TEST_F(DicomSegments, NeverReplaceAnImageOfTheScan)
   EXPECT_EQ(std::filesystem::file_size(this->images[1]), bytes);
 }
 
+// Else the patient would have another name in them.
+TEST_F(DicomSegments, NeedTextsInTheNamedCharacterSet)
+{
+  WriteScanOfPatient(this->folder, "ISO_IR 999");
+  EXPECT_NE(this->FailureOf("kidney.dcm").find("ISO_IR 999"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(this->folder.Path("kidney.dcm")));
+}
+
 TEST_F(DicomSegments, WithoutVoxelsAreRefused)
 {
   std::fill(this->Numbers(), this->Numbers() + 5 * 4 * 3, 0);
