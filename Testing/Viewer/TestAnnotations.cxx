@@ -282,6 +282,15 @@ TEST_F(Curved, ShowsTheLastVisibleCurve)
   EXPECT_TRUE(this->view.Path());
 }
 
+TEST_F(Curved, HasAWholeTickAtItsBeginning)
+{
+  this->AddCurve();
+  const QImage picture = this->view.grab().toImage();
+  const int inTick = this->view.height() - 6;
+  EXPECT_GT(qGray(picture.pixel(0, inTick)), 240);
+  EXPECT_LT(qGray(picture.pixel(2, inTick)), 200);
+}
+
 TEST_F(Curved, PutsTheCrosshairOnTheCurveAtItsDistance)
 {
   this->AddCurve();

@@ -245,7 +245,7 @@ TEST_F(VolumeList, ABoxMeasuresAllThatAreShown)
   ASSERT_EQ(lines.size(), 3);
   EXPECT_TRUE(lines[0].endsWith(" HU")) << lines[0].toStdString();
   EXPECT_EQ(lines[2], QString::fromUtf8("Volume 2 (PT): mean 2 ± 0 SUV, from 2 to 2 SUV"));
-  EXPECT_EQ(texts.labels[0].section('\n', 2), QString::fromUtf8("Volume 2 (PT): mean 2 ± 0 SUV"));
+  EXPECT_EQ(texts.labels[0].section('\n', 2), QString::fromUtf8("PT: mean 2 ± 0 SUV"));
   EXPECT_EQ(texts.values[1], "5.0 mm");
   const MeasuresPanel measures(&this->model);
   const auto* const table = measures.findChild<QTableWidget*>();

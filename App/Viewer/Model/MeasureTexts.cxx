@@ -7,6 +7,7 @@
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/Study.h"
 
+#include <algorithm>
 #include <map>
 
 namespace varimarch
@@ -94,6 +95,16 @@ QString TitleOfOverlay(const PlacedVolume& overlay)
   return modality.empty() ? title : title + " (" + QString::fromStdString(modality) + ')';
 }
 
+// Letters in an image have little room: the modality alone, if no other volume over the first one
+// has it.
+QString MarkOfOverlay(const PlacedVolume& overlay, const std::vector<PlacedVolume>& over)
+{
+  const std::string& modality = overlay.volume.modality;
+  const auto count = std::count_if(over.begin(), over.end(),
+    [&](const PlacedVolume& other) { return other.volume.modality == modality; });
+  return modality.empty() || count > 1 ? TitleOfOverlay(overlay) : QString::fromStdString(modality);
+}
+
 // Adds a line for each volume over the first one with voxels in the region.
 void AddOverlays(const Measure& measure, vtkImageData* image, const std::vector<PlacedVolume>& over,
   MeasureText& texts)
@@ -104,9 +115,9 @@ void AddOverlays(const Measure& measure, vtkImageData* image, const std::vector<
     if (found && found->voxels > 0)
     {
       const RegionStatistics statistics = InUnits(*found, overlay.volume);
-      const QString begin = '\n' + TitleOfOverlay(overlay) + ": ";
-      texts.value += begin + RangeText(statistics, UnitText(overlay.volume));
-      texts.label += begin + MeanText(statistics, UnitText(overlay.volume));
+      const QString unit = UnitText(overlay.volume);
+      texts.value += '\n' + TitleOfOverlay(overlay) + ": " + RangeText(statistics, unit);
+      texts.label += '\n' + MarkOfOverlay(overlay, over) + ": " + MeanText(statistics, unit);
     }
   }
 }

@@ -200,7 +200,8 @@ void CurvedView::DrawRuler(QPainter& painter) const
   const double bottom = this->height() - 3.0;
   for (int tick = 0; tick * stepMm <= this->cut->LengthMm(); ++tick)
   {
-    const double x = tick * stepMm / mmPerPixel;
+    // A line at the edge would be half outside.
+    const double x = std::clamp(tick * stepMm / mmPerPixel, 0.5, this->width() - 0.5);
     painter.setPen(QPen(Qt::white, 1.0));
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom - 6.0));
     const QString number = NumberText(tick * stepMm, stepMm < 1.0 ? 2 : 0);
