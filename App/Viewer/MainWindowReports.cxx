@@ -83,10 +83,17 @@ void MainWindow::ExportTimes()
     [this](const QString& path, const std::function<bool(double)>& onProgress)
     {
       this->model.CountSegments();
-      return WriteTimesMovie(
-        { this->model.CurrentScene(), this->model.CurrentStudy(),
-          { this->view->Ours()->size(), false, true }, this->timeBar->Speed() },
-        path, onProgress);
+      const WrittenTimes written =
+        WriteTimesMovie({ this->model.CurrentScene(), this->model.CurrentStudy(),
+                          { this->view->Ours()->size(), false, true }, this->timeBar->Speed() },
+          path, onProgress);
+      if (!written.problem.isEmpty())
+      {
+        QMessageBox::warning(this, tr("Export the times"),
+          tr("An added scan stays at the time before, since another could not be read: %1")
+            .arg(written.problem));
+      }
+      return written.isComplete;
     });
 }
 

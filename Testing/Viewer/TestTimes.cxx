@@ -227,6 +227,11 @@ TEST_F(Times, OfAddedScansFollowIfThereAreAsMany)
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, MostMilliseconds));
   EXPECT_TRUE(failed.first().first().toString().contains("other.nrrd"));
   EXPECT_EQ(shown(), ValueAtTime(0)) << "it keeps the time that was read";
+  StudyTimes exported(this->Model()->CurrentScene(), this->Model()->CurrentStudy());
+  EXPECT_EQ(exported.Read(3)->overlays[0]->volume.times.current, 0) << "as in the window";
+  EXPECT_NE(exported.Problem().find("other.nrrd"), std::string::npos) << exported.Problem();
+  StudyTimes cancelled(this->Model()->CurrentScene(), this->Model()->CurrentStudy());
+  EXPECT_THROW(cancelled.Read(3, [](double) { return false; }), std::runtime_error);
 }
 
 TEST_F(Times, OfSessionsAreRestored)

@@ -107,6 +107,24 @@ TEST_F(Turning, LeavesNoFilesWhenCancelled)
   EXPECT_TRUE(this->Files().isEmpty());
 }
 
+// A search for steps asks before each trial image, long before the first picture is there.
+TEST_F(Turning, CanBeCancelledDuringASearchForSteps)
+{
+  constexpr int Asked = 3; // before the first picture, before its first rows, and in the search
+  Scene scene = SceneOfPatient();
+  scene.render.errorTolerance = 1.0 / 256.0;
+  PictureMaker maker(scene, *this->study, { { 96, 96 }, false, false });
+  std::vector<double> parts;
+  EXPECT_FALSE(WriteTurntable(maker, 4, this->folder.filePath("turn.png"),
+    [&](double part)
+    {
+      parts.push_back(part);
+      return parts.size() < Asked;
+    }));
+  ASSERT_EQ(parts.size(), Asked);
+  EXPECT_EQ(parts.back(), 0.0) << "no row of the first picture was drawn";
+}
+
 TEST_F(Turning, NamesAFileThatCannotBeWritten)
 {
   EXPECT_TRUE(this->Failure("missing/turn.png").contains("missing/turn-000.png"));

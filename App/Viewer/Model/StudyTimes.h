@@ -4,6 +4,7 @@
 #include "Viewer/Model/Study.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace varimarch
@@ -13,7 +14,8 @@ struct Scene;
 class SceneModel;
 
 /// Reads the times of a scan for images in files, together with those of the volumes over it that
-/// follow them.
+/// follow them. A volume over it whose time cannot be read stays at the time before, as in the
+/// window.
 class StudyTimes
 {
 public:
@@ -21,10 +23,17 @@ public:
 
   /// The study at a time.
   /// @param observer  as for LoadVolume
-  /// @throws std::runtime_error with one sentence
+  /// @throws std::runtime_error with one sentence if it is cancelled or the scan cannot be read
   std::shared_ptr<const Study> Read(int time, const LoadObserver& observer = {});
 
+  /// Why a volume over the scan stayed at the time before, for the first time that this happened;
+  /// empty if none did.
+  const std::string& Problem() const { return this->problem; }
+
 private:
+  void ReadVolume(int volume, int time, const LoadObserver& observer);
+
+  std::string problem;
   std::shared_ptr<const Study> study;               ///< at the time that was read last
   std::vector<std::unique_ptr<TimeReader>> readers; ///< one per volume; null if it stays
 };

@@ -2604,6 +2604,10 @@ Masken nicht unterstützt</translation>
         <translation>Die Zeitpunkte werden berechnet</translation>
     </message>
     <message>
+        <source>An added scan stays at the time before, since another could not be read: %1</source>
+        <translation>Eine hinzugefügte Aufnahme bleibt beim vorherigen Zeitpunkt, weil ein anderer nicht gelesen werden konnte: %1</translation>
+    </message>
+    <message>
         <source>&amp;Mark a key image</source>
         <translation>Schlüsselbild &amp;merken</translation>
     </message>

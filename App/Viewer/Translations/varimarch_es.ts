@@ -2604,6 +2604,10 @@ no admite máscaras</translation>
         <translation>Calculando los tiempos</translation>
     </message>
     <message>
+        <source>An added scan stays at the time before, since another could not be read: %1</source>
+        <translation>Un estudio añadido permanece en el tiempo anterior, porque no se pudo leer otro: %1</translation>
+    </message>
+    <message>
         <source>&amp;Mark a key image</source>
         <translation>&amp;Marcar una imagen clave</translation>
     </message>

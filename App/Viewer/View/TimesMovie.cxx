@@ -26,7 +26,7 @@ std::vector<int> TimesOfPictures(const TimesMovie& movie, const QString& path)
 
 }
 
-bool WriteTimesMovie(
+WrittenTimes WriteTimesMovie(
   const TimesMovie& movie, const QString& path, const std::function<bool(double)>& onProgress)
 {
   const std::vector<int> times = TimesOfPictures(movie, path);
@@ -34,19 +34,19 @@ bool WriteTimesMovie(
   PictureMaker maker(movie.scene, *movie.study, movie.options);
   int drawn = -1;
   QImage picture;
-  const auto draw = [&](int number)
+  const auto draw = [&](int number, const std::function<bool(double)>& onPart)
   {
     const int time = times[std::size_t(number)];
     if (time != drawn)
     {
-      const double part = double(number) / double(times.size());
-      maker.ShowTime(*reader.Read(time, [&](double) { return onProgress(part); }));
-      picture = maker.Draw();
+      maker.ShowTime(*reader.Read(time, [&](double) { return onPart(0.0); }));
+      picture = maker.Draw(onPart);
       drawn = time;
     }
     return picture;
   };
-  return WritePictures(int(times.size()), draw, path, onProgress);
+  const bool isComplete = WritePictures(int(times.size()), draw, path, onProgress);
+  return { isComplete, QString::fromStdString(reader.Problem()) };
 }
 
 }

@@ -19,13 +19,19 @@ struct TimesMovie
   TimeSpeed speed;
 };
 
+struct WrittenTimes
+{
+  bool isComplete; ///< false if it was cancelled
+  /// Why a volume over the scan stays at another time, as StudyTimes tells it; empty if none does.
+  QString problem;
+};
+
 /// Reads and renders all times for the writer of a file name, see TurnWriterFor. A movie shows each
 /// time for as long as the speed says, a series of images shows it once. What is cancelled or fails
 /// leaves the files that were there before.
 /// @param onProgress  receives the fraction done, [0, 1); returns false to cancel
-/// @return true if complete
 /// @throws std::runtime_error with one sentence
-bool WriteTimesMovie(
+WrittenTimes WriteTimesMovie(
   const TimesMovie& movie, const QString& path, const std::function<bool(double)>& onProgress);
 
 }

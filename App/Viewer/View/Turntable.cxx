@@ -22,6 +22,9 @@ namespace varimarch
 namespace
 {
 
+// The part of the time of a picture that drawing takes; the rest is for its writer.
+constexpr double DrawingPart = 0.9;
+
 class PictureSeries : public TurnWriter
 {
 public:
@@ -181,7 +184,7 @@ bool IsMovie(const QString& path)
   return path.endsWith(".mp4", Qt::CaseInsensitive) || path.endsWith(".ogv", Qt::CaseInsensitive);
 }
 
-bool WritePictures(int count, const std::function<QImage(int)>& draw, const QString& path,
+bool WritePictures(int count, const PictureDrawing& draw, const QString& path,
   const std::function<bool(double)>& onProgress)
 {
   const std::unique_ptr<TurnWriter> writer = TurnWriterFor(path);
@@ -202,14 +205,20 @@ bool WritePictures(int count, const std::function<QImage(int)>& draw, const QStr
     {
       return false;
     }
-    writer->Add(draw(i));
-    if (!isTaken((i + 0.5) / count))
+    const QImage picture =
+      draw(i, [&](double part) { return onProgress((i + DrawingPart * part) / count); });
+    if (picture.isNull())
+    {
+      return false;
+    }
+    writer->Add(picture);
+    if (!isTaken((i + DrawingPart) / count))
     {
       return false;
     }
   }
   writer->End();
-  if (!isTaken((count - 0.5) / count))
+  if (!isTaken((count - 1.0 + DrawingPart) / count))
   {
     return false;
   }
@@ -220,9 +229,9 @@ bool WritePictures(int count, const std::function<QImage(int)>& draw, const QStr
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   const std::function<bool(double)>& onProgress)
 {
-  const auto draw = [&](int)
+  const auto draw = [&](int, const std::function<bool(double)>& onPart)
   {
-    const QImage picture = maker.Draw();
+    const QImage picture = maker.Draw(onPart);
     maker.Turn(360.0 / count);
     return picture;
   };

@@ -23,13 +23,16 @@ std::unique_ptr<TurnWriter> TurnWriterFor(const QString& path);
 /// True if a file name chooses a movie.
 bool IsMovie(const QString& path);
 
+/// Draws the picture of a number, counted from 0, and tells the fraction of it that is done; null
+/// if the receiver cancels.
+using PictureDrawing = std::function<QImage(int, const std::function<bool(double)>&)>;
+
 /// Writes pictures for the writer of a file name. What is cancelled or fails leaves the files that
 /// were there before.
-/// @param draw  the picture of a number, counted from 0
 /// @param onProgress  receives the fraction done, [0, 1); returns false to cancel
 /// @return true if complete
 /// @throws std::runtime_error with one sentence
-bool WritePictures(int count, const std::function<QImage(int)>& draw, const QString& path,
+bool WritePictures(int count, const PictureDrawing& draw, const QString& path,
   const std::function<bool(double)>& onProgress);
 
 /// Renders a full turn about the vertical of the image as WritePictures does.
