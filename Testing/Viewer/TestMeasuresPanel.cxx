@@ -1,5 +1,8 @@
 // The list of measurements, and the thickness of slices.
 
+#include "Answers.h"
+#include "ScanOfPatient.h"
+#include "Scene/Overlaying.h"
 #include "SmallStudy.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/MeasuresPanel.h"
@@ -178,6 +181,49 @@ TEST_F(Measures, AreHiddenByTheBoxBeforeTheirNames)
   EXPECT_TRUE(this->model.CurrentScene().measures[0].visible);
   this->model.History()->undo();
   EXPECT_EQ(this->Table()->item(1, 0)->checkState(), Qt::Checked);
+}
+
+// The floats of points as DICOM stores them.
+std::string FloatBytes(const std::vector<float>& numbers)
+{
+  return { reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float) };
+}
+
+TEST_F(Measures, AreReportedAsThoseOfTheScanThatIsEdited)
+{
+  const TemporaryFolder folders[2];
+  std::vector<std::shared_ptr<const Study>> scans;
+  for (int i = 0; i < 2; ++i)
+  {
+    WriteScanOfPatient(folders[i], "ISO_IR 100", i == 0 ? "1.2.77" : "1.2.78");
+    LoadedVolume volume = LoadVolume(FileSource{ folders[i].Path(""), std::nullopt });
+    ImageStatistics statistics(volume.image);
+    scans.push_back(std::make_shared<const Study>(Study{ volume, statistics }));
+  }
+  this->model.Open(FileSource{ folders[0].Path(""), std::nullopt }, scans[0]);
+  OverlaidVolume overlay = OverlayOf(
+    FileSource{ folders[1].Path(""), std::nullopt }, scans[1]->volume, scans[1]->statistics);
+  overlay.placement.moveMm = { 10.0, 0.0, 0.0 };
+  this->model.AddOverlay(overlay, scans[1], "add a scan");
+  this->model.Edit(ScenePart::Measures, "measure",
+    [](Scene& scene) {
+      scene.measures = { { MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } } };
+    });
+  const auto saved = [&](int volume)
+  {
+    const std::string name = "sr" + std::to_string(volume) + ".dcm";
+    this->model.SetEditedVolume(volume);
+    const Answers answers(QMessageBox::Ok, QString::fromStdString(folders[0].Path(name)));
+    this->panel.findChild<QPushButton*>("save")->click();
+    return folders[0].Bytes(name);
+  };
+  const std::string ofFirst = saved(0);
+  EXPECT_NE(ofFirst.find("1.2.77"), std::string::npos);
+  EXPECT_NE(ofFirst.find(FloatBytes({ 0, 0, 0, 3, 4, 0 })), std::string::npos);
+  const std::string ofSecond = saved(1);
+  EXPECT_EQ(ofSecond.find("1.2.77"), std::string::npos);
+  EXPECT_NE(ofSecond.find("1.2.78"), std::string::npos);
+  EXPECT_NE(ofSecond.find(FloatBytes({ -10, 0, 0, -7, 4, 0 })), std::string::npos);
 }
 
 TEST_F(Measures, AreGoneToByADoubleClick)

@@ -5,6 +5,8 @@
 #include "Scene/MeasureKinds.h"
 #include "Scene/MeasuresCsv.h"
 #include "Scene/OutputFile.h"
+#include "Scene/Placing.h"
+#include "Scene/SceneVolumes.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/StudyTimes.h"
@@ -20,10 +22,45 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <vtkMatrix3x3.h>
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <exception>
+#include <stdexcept>
 
 namespace varimarch
 {
+
+namespace
+{
+
+// The measurements of the world as those of a volume that was put at another place.
+std::vector<Measure> InPatientCoordinates(
+  std::vector<Measure> measures, const Placement& placement, vtkImageData* image)
+{
+  const glm::dmat4 patientFromWorld = glm::inverse(WorldFromPatient(placement, image));
+  for (Measure& measure : measures)
+  {
+    for (std::array<double, 3>& point : measure.pointsMm)
+    {
+      point = NumbersOf(glm::dvec3(patientFromWorld * glm::dvec4(VectorOf(point), 1.0)));
+    }
+  }
+  return measures;
+}
+
+bool AreTurnedAlike(vtkImageData* first, vtkImageData* second)
+{
+  constexpr double MostDifference = 1e-4; // files round directions
+  const double* const axes = first->GetDirectionMatrix()->GetData();
+  return std::equal(axes, axes + 9, second->GetDirectionMatrix()->GetData(),
+    [](double a, double b) { return std::abs(a - b) < MostDifference; });
+}
+
+}
 
 MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   : QWidget(parent)
@@ -67,6 +104,7 @@ MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   connect(this->goTo, &QPushButton::clicked, this, &MeasuresPanel::GoToSelected);
   connect(this->remove, &QPushButton::clicked, this, &MeasuresPanel::RemoveSelected);
   connect(this->removeAll, &QPushButton::clicked, this, &MeasuresPanel::RemoveAll);
+  this->save->setObjectName("save");
   connect(this->save, &QPushButton::clicked, this, &MeasuresPanel::Save);
   connect(model, &SceneModel::Changed, this, &MeasuresPanel::Show);
   this->setEnabled(false);
@@ -178,7 +216,7 @@ void MeasuresPanel::Save()
 {
   QStringList filters = { tr("Table (*.csv)") };
   // Only DICOM has frames of reference.
-  const bool isDicom = !this->model->CurrentStudy()->volume.frameOfReference.empty();
+  const bool isDicom = !this->model->EditedStudy()->volume.frameOfReference.empty();
   if (isDicom)
   {
     filters.append(tr("DICOM structured report (*.dcm)"));
@@ -210,14 +248,30 @@ void MeasuresPanel::Save()
   }
 }
 
+// The report is of the volume that is edited, for whose patient an added scan may be the only one.
 // A scan with a frame of reference is a series of files.
 void MeasuresPanel::WriteReport(const std::string& path) const
 {
   const Scene& scene = this->model->CurrentScene();
-  const auto& scan = std::get<FileSource>(scene.volume);
+  const int volume = this->model->EditedVolume();
+  const auto study = this->model->EditedStudy();
+  const Placement placement = PlacementOf(scene, volume);
+  const bool hasBox = std::any_of(scene.measures.begin(), scene.measures.end(),
+    [](const Measure& measure) { return measure.kind == MeasureKind::Box; });
+  if (hasBox &&
+    !AreTurnedAlike(
+      this->model->CurrentStudy()->volume.image, Placed(study->volume.image, placement)))
+  {
+    throw std::runtime_error(
+      tr("A box lies along the axes of the first scan, and this one has others. "
+         "Remove the boxes, or save a table.")
+        .toStdString());
+  }
+  const auto& scan = std::get<FileSource>(VolumeSourceOf(scene, volume));
   ReadProgress progress([](double) { return true; });
   const TaggedSeries images(scan.path, scan.series, progress);
-  WriteDicomMeasures(scene.measures, this->model->CurrentStudy()->volume, images.Files(), path);
+  WriteDicomMeasures(InPatientCoordinates(scene.measures, placement, study->volume.image),
+    study->volume, images.Files(), path);
 }
 
 }

@@ -2795,6 +2795,10 @@ Masken nicht unterstützt</translation>
         <translation>zu einer Messung gehen</translation>
     </message>
     <message>
+        <source>A box lies along the axes of the first scan, and this one has others. Remove the boxes, or save a table.</source>
+        <translation>Ein Quader liegt entlang der Achsen der ersten Aufnahme, und diese hat andere. Entfernen Sie die Quader, oder speichern Sie eine Tabelle.</translation>
+    </message>
+    <message>
         <source>Save the measurements</source>
         <translation>Messungen speichern</translation>
     </message>

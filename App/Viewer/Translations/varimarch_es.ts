@@ -2795,6 +2795,10 @@ no admite máscaras</translation>
         <translation>ir a una medición</translation>
     </message>
     <message>
+        <source>A box lies along the axes of the first scan, and this one has others. Remove the boxes, or save a table.</source>
+        <translation>Una caja está alineada con los ejes del primer estudio, y este tiene otros. Quite las cajas o guarde una tabla.</translation>
+    </message>
+    <message>
         <source>Save the measurements</source>
         <translation>Guardar las mediciones</translation>
     </message>
