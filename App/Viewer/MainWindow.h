@@ -27,6 +27,7 @@ namespace varimarch
 class ComparisonView;
 class KeyImagesBox;
 class SegmentEditor;
+class PictureMaker;
 class PrivateFolder;
 class SliceView;
 class StartPage;
@@ -186,6 +187,14 @@ private:
   void MakeExportActions(QMenu* file);
   void ExportTurntable();
   void ExportTimes();
+  /// Shows a stage of a change, by the part of it that is done, [0, 1].
+  using SceneStage = std::function<void(PictureMaker&, const Study&, double)>;
+
+  void MakeChangeActions(QMenu* file);
+  void ExportChange(const MovieTexts& texts, const SceneStage& show);
+  void ExportCuts();
+  void ExportLookChange(const std::string& preset);
+  void ListLooksToChange(QMenu* menu);
   void ExportReport();
   void ShowBenchmark();
   void AskForLayout(const QString& path);

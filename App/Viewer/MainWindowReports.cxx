@@ -140,6 +140,7 @@ void MainWindow::MakeExportActions(QMenu* file)
   movie->setEnabled(false);
   connect(&this->model, &SceneModel::Changed, movie,
     [this, movie] { movie->setEnabled(this->model.CurrentStudy()->volume.times.AreSeveral()); });
+  this->MakeChangeActions(file);
   file->addAction(tr("Export a re&port…"), this, &MainWindow::ExportReport)
     ->setObjectName("exportReport");
 }

@@ -125,6 +125,32 @@ TEST_F(Turning, CanBeCancelledDuringASearchForSteps)
   EXPECT_EQ(parts.back(), 0.0) << "no row of the first picture was drawn";
 }
 
+TEST_F(Turning, WritesAChangeFromItsBeginningToItsEnd)
+{
+  PictureMaker maker(SceneOfPatient(), *this->study, { { 48, 48 }, false, false });
+  std::vector<double> parts;
+  EXPECT_TRUE(WriteChange(
+    maker, 3,
+    [&](double part)
+    {
+      parts.push_back(part);
+      SceneCuts cuts;
+      cuts.box[1] = 1.0 - 0.5 * part;
+      maker.SetCuts(cuts);
+    },
+    this->folder.filePath("cut.png"), [](double) { return true; }));
+  EXPECT_EQ(parts, (std::vector<double>{ 0.0, 0.5, 1.0 }));
+  const auto picture = [&](int i)
+  { return QImage(this->folder.filePath(QStringLiteral("cut-00%1.png").arg(i))); };
+  EXPECT_NE(picture(0), picture(1));
+  EXPECT_NE(picture(1), picture(2));
+  Look clear = SceneOfPatient().look;
+  clear.opacities = { { 0.0, 0.0 } };
+  const QImage cut = maker.Draw();
+  maker.SetLook(clear);
+  EXPECT_NE(maker.Draw(), cut);
+}
+
 TEST_F(Turning, NamesAFileThatCannotBeWritten)
 {
   EXPECT_TRUE(this->Failure("missing/turn.png").contains("missing/turn-000.png"));

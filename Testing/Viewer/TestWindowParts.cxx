@@ -220,3 +220,24 @@ TEST_F(Window, IsShownByATour)
   QTest::keyClick(again, Qt::Key_Escape);
   EXPECT_TRUE(QTest::qWaitFor([&] { return again.isNull(); }, MostMilliseconds));
 }
+
+TEST_F(Window, OffersMoviesOfCutsAndOfLooksThatCanChange)
+{
+  this->OpenTorso();
+  const auto* const cuts = this->window.findChild<QAction*>("exportCuts");
+  auto* const looks = this->window.findChild<QMenu*>("exportLookChange");
+  EXPECT_FALSE(cuts->isEnabled());
+  this->Model()->Edit(ScenePart::Cuts, "cut", [](Scene& scene) { scene.cuts.box[1] = 0.5; });
+  EXPECT_TRUE(cuts->isEnabled());
+  const auto isOffered = [&](const char* preset)
+  {
+    emit looks->aboutToShow();
+    return looks->findChild<QAction*>(preset) != nullptr;
+  };
+  EXPECT_TRUE(isOffered("ct-bone"));
+  EXPECT_FALSE(isOffered("ct-maximum")) << "it is a projection";
+  Look projection = this->Model()->CurrentScene().look;
+  projection.blend = Blend::MaximumIntensity;
+  this->Model()->SetLook(projection, "maximum");
+  EXPECT_FALSE(isOffered("ct-bone"));
+}

@@ -2608,6 +2608,34 @@ Masken nicht unterstützt</translation>
         <translation>Eine hinzugefügte Aufnahme bleibt beim vorherigen Zeitpunkt, weil ein anderer nicht gelesen werden konnte: %1</translation>
     </message>
     <message>
+        <source>Export the cuts</source>
+        <translation>Schnitte exportieren</translation>
+    </message>
+    <message>
+        <source>Rendering the cuts</source>
+        <translation>Die Schnitte werden berechnet</translation>
+    </message>
+    <message>
+        <source>Export a change of the look</source>
+        <translation>Wechsel der Darstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Rendering the change</source>
+        <translation>Der Wechsel wird berechnet</translation>
+    </message>
+    <message>
+        <source>The current look cannot change: it is no composite, or has regions</source>
+        <translation>Die jetzige Darstellung kann nicht wechseln: Sie ist keine Überlagerung oder hat Bereiche</translation>
+    </message>
+    <message>
+        <source>Export the &amp;cuts…</source>
+        <translation>S&amp;chnitte exportieren…</translation>
+    </message>
+    <message>
+        <source>Export a cha&amp;nge of the look from</source>
+        <translation>&amp;Wechsel der Darstellung exportieren ab</translation>
+    </message>
+    <message>
         <source>&amp;Mark a key image</source>
         <translation>Schlüsselbild &amp;merken</translation>
     </message>

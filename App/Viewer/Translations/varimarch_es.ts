@@ -2608,6 +2608,34 @@ no admite máscaras</translation>
         <translation>Un estudio añadido permanece en el tiempo anterior, porque no se pudo leer otro: %1</translation>
     </message>
     <message>
+        <source>Export the cuts</source>
+        <translation>Exportar los cortes</translation>
+    </message>
+    <message>
+        <source>Rendering the cuts</source>
+        <translation>Calculando los cortes</translation>
+    </message>
+    <message>
+        <source>Export a change of the look</source>
+        <translation>Exportar un cambio del aspecto</translation>
+    </message>
+    <message>
+        <source>Rendering the change</source>
+        <translation>Calculando el cambio</translation>
+    </message>
+    <message>
+        <source>The current look cannot change: it is no composite, or has regions</source>
+        <translation>El aspecto actual no puede cambiar: no es una composición o tiene regiones</translation>
+    </message>
+    <message>
+        <source>Export the &amp;cuts…</source>
+        <translation>E&amp;xportar los cortes…</translation>
+    </message>
+    <message>
+        <source>Export a cha&amp;nge of the look from</source>
+        <translation>Exportar u&amp;n cambio del aspecto desde</translation>
+    </message>
+    <message>
         <source>&amp;Mark a key image</source>
         <translation>&amp;Marcar una imagen clave</translation>
     </message>

@@ -185,6 +185,20 @@ void PictureMaker::ShowTime(const Study& ofTime)
   this->view->Pipeline().SetOverlays(this->scene.overlays, VoxelsOfOverlays(ofTime));
 }
 
+void PictureMaker::SetLook(const Look& look)
+{
+  const DrawingWithoutDisplay drawing;
+  this->scene.look = look;
+  this->view->Pipeline().SetLook(look);
+}
+
+void PictureMaker::SetCuts(const SceneCuts& cuts)
+{
+  const DrawingWithoutDisplay drawing;
+  this->scene.cuts = cuts;
+  this->view->Pipeline().SetCuts(cuts);
+}
+
 void PictureMaker::Turn(double degrees)
 {
   vtkRenderer* const renderer = this->view->Pipeline().Renderer();

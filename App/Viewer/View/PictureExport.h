@@ -51,6 +51,10 @@ public:
   /// Draws the volumes at another time from now on.
   void ShowTime(const Study& ofTime);
 
+  /// Draws the first volume with another look, or with other cuts, from now on.
+  void SetLook(const Look& look);
+  void SetCuts(const SceneCuts& cuts);
+
   /// Turns the eye about the vertical of the image.
   void Turn(double degrees);
 

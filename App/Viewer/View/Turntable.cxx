@@ -226,6 +226,17 @@ bool WritePictures(int count, const PictureDrawing& draw, const QString& path,
   return true;
 }
 
+bool WriteChange(PictureMaker& maker, int count, const std::function<void(double)>& show,
+  const QString& path, const std::function<bool(double)>& onProgress)
+{
+  const auto draw = [&](int number, const std::function<bool(double)>& onPart)
+  {
+    show(double(number) / (count - 1));
+    return maker.Draw(onPart);
+  };
+  return WritePictures(count, draw, path, onProgress);
+}
+
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   const std::function<bool(double)>& onProgress)
 {

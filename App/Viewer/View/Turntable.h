@@ -35,6 +35,12 @@ using PictureDrawing = std::function<QImage(int, const std::function<bool(double
 bool WritePictures(int count, const PictureDrawing& draw, const QString& path,
   const std::function<bool(double)>& onProgress);
 
+/// Renders a change of the scene from its beginning to its end as WritePictures does.
+/// @param count  > 1
+/// @param show  called before each picture with the part that is done, [0, 1]
+bool WriteChange(PictureMaker& maker, int count, const std::function<void(double)>& show,
+  const QString& path, const std::function<bool(double)>& onProgress);
+
 /// Renders a full turn about the vertical of the image as WritePictures does.
 bool WriteTurntable(PictureMaker& maker, int count, const QString& path,
   const std::function<bool(double)>& onProgress);
