@@ -27,6 +27,7 @@
 #include <vtkPointData.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -130,7 +131,7 @@ public:
     this->Model()->History()->undo();
     VolumeView* const view = this->window.CentralView()->Ours();
     const QPointF middle = QRectF(view->rect()).center();
-    const double unit = 0.01 * view->height();
+    const double unit = 0.011 * std::min(view->width(), view->height()); // the head fits into both
     view->SetTool(LeftButton::KeepOnly);
     const QPointF outline[] = { { -15, 40 }, { -19, 15 }, { -20, 0 }, { -18, -16 }, { -8, -25 },
       { 8, -25 }, { 18, -16 }, { 20, 0 }, { 19, 15 }, { 15, 40 } };
