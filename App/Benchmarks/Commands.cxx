@@ -203,17 +203,15 @@ void AddLightCostCommand(
   app->callback([arguments] { RunLightCost(*arguments); });
 }
 
-void AddLightMethodsCommand(CLI::App& program, const std::string& commandText)
+void AddLightCommand(CLI::App* app, void (*run)(const LightCostArguments&),
+  const std::string& files, const std::string& commandText)
 {
   const auto arguments = std::make_shared<LightCostArguments>();
   arguments->report.commandText = commandText;
-  CLI::App* app = program.add_subcommand(
-    "light-methods", "Measure our shadows beside those of others: error, time and memory");
-  app->footer("Writes light-methods.md, .csv and .json after each scene.\n"
-              "Example:\n"
-              "  varimarch-bench light-methods --volumes volumes -o report --side 256");
+  app->footer("Writes " + app->get_name() + files + " after each scene.\nExample:\n" +
+    "  varimarch-bench " + app->get_name() + " --volumes volumes -o report --side 256");
   AddLightCostOptions(*app, *arguments);
-  app->callback([arguments] { RunLightMethods(*arguments); });
+  app->callback([=] { run(*arguments); });
 }
 
 void AddScalingCommand(CLI::App& program, const std::string& commandText)
@@ -383,7 +381,12 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   {
     AddLightCostCommand(program, commandText, feature);
   }
-  AddLightMethodsCommand(program, commandText);
+  AddLightCommand(program.add_subcommand("light-methods",
+                    "Measure our shadows beside those of others: error, time and memory"),
+    RunLightMethods, ".md, .csv and .json", commandText);
+  AddLightCommand(
+    program.add_subcommand("shadows-beside", "Measure shadows of geometry and of other volumes"),
+    RunBesideCost, ".md and .json", commandText);
   AddScalingCommand(program, commandText);
   AddFeatureCommand(program, commandText);
   AddShaderCostCommand(program, commandText);

@@ -136,6 +136,7 @@ void RunWorkPrecision(const WorkPrecisionArguments& arguments);
 void RunPublished(const PublishedArguments& arguments);
 void RunSpeed(const SpeedArguments& arguments);
 void RunLightCost(const LightCostArguments& arguments);
+void RunBesideCost(const LightCostArguments& arguments);
 void RunLightMethods(const LightCostArguments& arguments);
 void RunScaling(const ScalingArguments& arguments);
 void RunFeatures(const FeatureArguments& arguments);

@@ -145,6 +145,16 @@ def shadows(folder):
     assert f"| {worst:.2f} |\n" in text.split("## Tolerances")[1], text
 
 
+def shadows_beside(folder):
+    text, _ = run("shadows-beside", VOLUME, "-o", folder / "out", "--side", "32", "--rounds", "1")
+    assert (folder / "out" / "shadows-beside.md").read_text() == text
+    scene, = json.loads((folder / "out" / "shadows-beside.json").read_text())["scenes"]
+    names = [cost["name"] for cost in scene["costs"]]
+    assert len(names) == 6 and all(name in text for name in names), names
+    for cost in scene["costs"]:
+        assert min(cost[key] for key in ("withoutMs", "withMs", "factor", "firstMs")) > 0.0, cost
+
+
 def light_methods(folder):
     text, _ = run("light-methods", VOLUME, "-o", folder / "out", "--side", "32", "--rounds", "1")
     assert (folder / "out" / "light-methods.md").read_text() == text
@@ -287,7 +297,7 @@ def usage(folder):
         _, errors = run(*arguments, expect=2)
         assert errors.strip(), arguments
     text, _ = run("--help")
-    for command in ("work-precision", "published", "speed", "shadows", "light-methods", "scaling",
+    for command in ("work-precision", "published", "speed", "shadows", "shadows-beside", "light-methods", "scaling",
                     "features", "shaders", "extremes", "order", "references", "soak", "times"):
         assert command in text.partition("Subcommands:")[2], text
         text_of_command, _ = run(command, "--help")
