@@ -169,7 +169,7 @@ bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 }
 
 // Packets keep the light of places from one image to the next, and take it from there. A shader
-// marches a ray to each light from each sample, and takes seconds to compile: Decision 0045. A
+// marches a ray to each light from each sample, and takes seconds to compile: Decision 0047. A
 // bound of the graphics memory is about the device, which then draws whatever it can.
 bool ShouldMarchByPackets(const Frame& frame)
 {
