@@ -5,7 +5,9 @@ Usage: pvbatch draw.py PLUGIN REPRESENTATION FOLDER [SERVER] CASE...
 Each case is a function of this file, or the name of a scene in Data/References. Its picture is
 FOLDER/CASE.png. SERVER, such as localhost:11111, is the pvserver that draws. Without a case, the
 names of all cases are printed. With the environment variable VARIMARCH_FRAMES the camera of each case
-then turns for this number of frames, and the median time of one is printed [ms].
+then turns for this number of frames, and the median time of one is printed [ms]. With VARIMARCH_BYTES
+our volumes of several processes are composited in 8 bits, as ParaView's are, and VARIMARCH_TOLERANCE
+is their error tolerance.
 """
 
 import json
@@ -86,6 +88,9 @@ class Stage:
         display.LookupTable = look
         display.ScalarOpacityFunction = opacity
         self.set(display, "ScalarOpacityUnitDistance", unit_distance)
+        if self.is_ours:
+            display.FloatCompositing = int(not os.environ.get("VARIMARCH_BYTES"))
+            display.ErrorTolerance = float(os.environ.get("VARIMARCH_TOLERANCE", 1 / 64))
         display.SetRepresentationType(self.representation)
         return display
 
@@ -237,6 +242,13 @@ def blocks(stage):
 def overlapping(stage):
     """Two images at the same place in a multi-block data set."""
     of_wavelet(stage, lambda source: simple.GroupDatasets(Input=[source, simple.Wavelet()]))
+
+
+@case
+def toned(stage):
+    """An image that ParaView processes after compositing."""
+    wavelet(stage)[1].Orientation = [180.0, 0.0, 0.0]
+    stage.view.UseToneMapping = 1
 
 
 @case

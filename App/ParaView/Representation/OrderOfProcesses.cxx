@@ -1,6 +1,5 @@
 #include "OrderOfProcesses.h"
 
-#include "Core/Blocks/OwnerOrder.h"
 #include "Frame/VolumeGeometry.h"
 
 #include "vtkBoundingBox.h"
@@ -15,7 +14,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkOrderedCompositingHelper.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeCollection.h"
@@ -77,43 +76,15 @@ vtkSmartPointer<vtkDoubleArray> OwnMessages(vtkRenderer* renderer, int process)
   return messages;
 }
 
-// The pass that composites the pictures of processes; null if there is none.
-vtkIceTCompositePass* CompositePassOf(vtkRenderer* renderer)
+// The pass to which another one leaves the drawing; null for one that draws itself.
+vtkRenderPass* DelegateOf(vtkRenderPass* pass)
 {
-  vtkRenderPass* pass = renderer->GetPass();
   if (auto* const processing = vtkImageProcessingPass::SafeDownCast(pass))
   {
-    pass = processing->GetDelegatePass();
+    return processing->GetDelegatePass();
   }
-  if (auto* const camera = vtkCameraPass::SafeDownCast(pass))
-  {
-    pass = camera->GetDelegatePass();
-  }
-  return vtkIceTCompositePass::SafeDownCast(pass);
-}
-
-// Boxes that touch in a row away from the eye, one for each process, which ParaView finds in this
-// order.
-std::vector<vtkBoundingBox> BoxesInARow(const std::vector<int>& processes, vtkCamera* camera)
-{
-  const double* const direction = camera->GetDirectionOfProjection();
-  const double* const eye = camera->GetPosition();
-  const auto isShorter = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto axis = std::max_element(direction, direction + 3, isShorter) - direction;
-  const double side = 1.0 + std::abs(*std::max_element(eye, eye + 3, isShorter));
-  const double step = std::copysign(side, direction[axis]);
-  std::vector<vtkBoundingBox> boxes(processes.size());
-  for (std::size_t place = 0; place < processes.size(); ++place)
-  {
-    vtkBoundingBox& box = boxes[processes[place]];
-    std::array<double, 3> corner{ eye[0] - side, eye[1] - side, eye[2] - side };
-    corner[axis] = eye[axis] + step * double(place + 1);
-    box.AddPoint(corner.data());
-    corner = { eye[0] + side, eye[1] + side, eye[2] + side };
-    corner[axis] = eye[axis] + step * double(place + 2);
-    box.AddPoint(corner.data());
-  }
-  return boxes;
+  auto* const camera = vtkCameraPass::SafeDownCast(pass);
+  return camera ? camera->GetDelegatePass() : nullptr;
 }
 
 }
@@ -142,8 +113,7 @@ void KeepDataBox(const double bounds[6], vtkVolume* volume)
   volume->SetPropertyKeys(keys);
 }
 
-std::optional<std::pair<int, int>> OrderProcesses(
-  vtkRenderer* renderer, vtkMultiProcessController* controller)
+OwnerOrder OrderOfProcesses(vtkRenderer* renderer, vtkMultiProcessController* controller)
 {
   const auto own = OwnMessages(renderer, controller->GetLocalProcessId());
   vtkNew<vtkDoubleArray> all;
@@ -153,18 +123,48 @@ std::optional<std::pair<int, int>> OrderProcesses(
   {
     boxes.push_back(OwnedBoxOf(all->GetPointer(i)));
   }
-  vtkIceTCompositePass* const pass = CompositePassOf(renderer);
-  vtkOrderedCompositingHelper* const helper = pass ? pass->GetOrderedCompositingHelper() : nullptr;
-  if (!helper)
-  {
-    return std::nullopt;
-  }
   OwnerOrder order =
     OwnersFrontToBack(boxes, controller->GetNumberOfProcesses(), ClipFromWorld(renderer));
   // All must have the same order, and the tiles of a display may differ in their view.
   controller->Broadcast(order.owners.data(), vtkIdType(order.owners.size()), 0);
-  helper->SetBoundingBoxes(BoxesInARow(order.owners, renderer->GetActiveCamera()));
-  return order.conflict;
+  return order;
+}
+
+vtkIceTCompositePass* CompositePassOf(vtkRenderer* renderer)
+{
+  vtkRenderPass* pass = renderer->GetPass();
+  while (vtkRenderPass* const delegate = DelegateOf(pass))
+  {
+    pass = delegate;
+  }
+  return vtkIceTCompositePass::SafeDownCast(pass);
+}
+
+// ParaView knows an order of boxes that touch or overlap, by their centres along the axis in which
+// the overlap is thinnest, and looks for the nearest box by comparing each with all others until it
+// finds a nearer one. Boxes that only touched their neighbours in the row would be compared with
+// nearly all others before that.
+std::vector<vtkBoundingBox> BoxesInOrder(const std::vector<int>& processes, vtkCamera* camera)
+{
+  const double* const direction = camera->GetDirectionOfProjection();
+  const double* const eye = camera->GetPosition();
+  const auto isShorter = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto axis = std::max_element(direction, direction + 3, isShorter) - direction;
+  // A step that is large enough for the digits of a number. ParaView compares lengths as integers.
+  const double step = std::max(1.0, 1e-6 * std::abs(*std::max_element(eye, eye + 3, isShorter)));
+  const double length = 2.0 * step * double(processes.size());
+  const double width = 2.0 * length;
+  std::vector<vtkBoundingBox> boxes(processes.size());
+  for (std::size_t place = 0; place < processes.size(); ++place)
+  {
+    std::array<double, 3> near{ eye[0] - width, eye[1] - width, eye[2] - width };
+    std::array<double, 3> far{ eye[0] + width, eye[1] + width, eye[2] + width };
+    near[axis] = eye[axis] + std::copysign(step * double(place + 1), direction[axis]);
+    far[axis] = near[axis] + std::copysign(length, direction[axis]);
+    boxes[processes[place]].AddPoint(near.data());
+    boxes[processes[place]].AddPoint(far.data());
+  }
+  return boxes;
 }
 
 }

@@ -1,9 +1,13 @@
 #ifndef Varimarch_OrderOfProcesses_h
 #define Varimarch_OrderOfProcesses_h
 
-#include <optional>
-#include <utility>
+#include "Core/Blocks/OwnerOrder.h"
 
+#include <vector>
+
+class vtkBoundingBox;
+class vtkCamera;
+class vtkIceTCompositePass;
 class vtkMatrix4x4;
 class vtkMultiProcessController;
 class vtkRenderer;
@@ -21,15 +25,21 @@ namespace varimarch
 /// the box of data is.
 void TurnBounds(const double bounds[6], vtkMatrix4x4* worldFromData, double turned[6]);
 
-/// Keeps the box of a volume's data on this process with the volume, for OrderProcesses.
+/// Keeps the box of a volume's data on this process with the volume, for OrderOfProcesses.
 void KeepDataBox(const double bounds[6], vtkVolume* volume);
 
-/// Lets ParaView lay the pictures of processes over each other in the order that is right for all
-/// visible volumes, or in which the fewest pixels may be wrong. All processes must call this.
-/// @return  two processes of which each may have a part in front of one of the other's; none if the
-///          order is right
-std::optional<std::pair<int, int>> OrderProcesses(
-  vtkRenderer* renderer, vtkMultiProcessController* controller);
+/// The order in which the pictures of processes are to be laid over each other: the one that is
+/// right for all visible volumes, or in which the fewest pixels may be wrong. All processes must
+/// call this.
+OwnerOrder OrderOfProcesses(vtkRenderer* renderer, vtkMultiProcessController* controller);
+
+/// ParaView's pass that composites the pictures of processes, below any passes that process the
+/// image; null if there is none.
+vtkIceTCompositePass* CompositePassOf(vtkRenderer* renderer);
+
+/// Boxes in front of the eye, one for each process, which ParaView finds in this order.
+/// @param processes  all of them, front to back
+std::vector<vtkBoundingBox> BoxesInOrder(const std::vector<int>& processes, vtkCamera* camera);
 
 }
 

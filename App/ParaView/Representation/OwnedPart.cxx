@@ -5,10 +5,12 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -165,6 +167,17 @@ Box BoxAround(const std::vector<Box>& boxes)
     around.upper = glm::max(around.upper, box.upper);
   }
   return around;
+}
+
+vtkSmartPointer<vtkInformation> InformationOf(vtkDataSet* grid)
+{
+  auto information = vtkSmartPointer<vtkInformation>::New();
+  information->Set(vtkDataObject::DATA_OBJECT(), grid);
+  if (auto* const image = vtkImageData::SafeDownCast(grid))
+  {
+    information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+  }
+  return information;
 }
 
 }

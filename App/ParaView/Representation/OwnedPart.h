@@ -9,6 +9,7 @@
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkInformation;
 
 namespace varimarch
 {
@@ -33,6 +34,9 @@ std::vector<Box> BoxesOf(const std::vector<OwnedPart>& parts);
 
 /// The box around some boxes; `lower` is above `upper` if there are none.
 Box BoxAround(const std::vector<Box>& boxes);
+
+/// The pipeline's information about a grid that is not a piece of another.
+vtkSmartPointer<vtkInformation> InformationOf(vtkDataSet* grid);
 
 }
 

@@ -1,8 +1,9 @@
 #include "vtkVarimarchVolumeRepresentation.h"
 
-#include "Core/Blocks/BoxOverlap.h"
+#include "ImageOfProcesses.h"
 #include "OrderOfProcesses.h"
 #include "OwnedPart.h"
+#include "Refusals.h"
 #include "vtkVarimarchPartsMapper.h"
 
 #include "vtkCommand.h"
@@ -36,23 +37,10 @@ bool HasSeveralProcesses()
   return controller && controller->GetNumberOfProcesses() > 1;
 }
 
-// The pipeline's information about a grid that is not a piece of another.
-vtkSmartPointer<vtkInformation> InformationOf(vtkDataSet* grid)
+bool IsFirstProcess()
 {
-  auto information = vtkSmartPointer<vtkInformation>::New();
-  information->Set(vtkDataObject::DATA_OBJECT(), grid);
-  if (auto* const image = vtkImageData::SafeDownCast(grid))
-  {
-    information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
-  }
-  return information;
-}
-
-// True for blend modes whose parts of a ray can be laid over each other.
-bool IsComposite(int blendMode)
-{
-  return blendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
-    blendMode == vtkVolumeMapper::ISOSURFACE_BLEND || blendMode == vtkVolumeMapper::SLICE_BLEND;
+  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
+  return !controller || controller->GetLocalProcessId() == 0;
 }
 
 }
@@ -61,6 +49,7 @@ vtkStandardNewMacro(vtkVarimarchVolumeRepresentation);
 
 vtkVarimarchVolumeRepresentation::vtkVarimarchVolumeRepresentation()
   : Mapper(vtkVarimarchPartsMapper::New())
+  , Image(std::make_unique<varimarch::ImageOfProcesses>())
 {
   this->VolumeMapper.TakeReference(this->Mapper);
   // This width is 1 but for rounding. It limits premultiplied colours to the opacity, as light may
@@ -94,6 +83,11 @@ void vtkVarimarchVolumeRepresentation::SetShadowStrength(double strength)
 void vtkVarimarchVolumeRepresentation::SetAmbientOcclusion(double strength)
 {
   this->Mapper->SetAmbientOcclusion(strength);
+}
+
+void vtkVarimarchVolumeRepresentation::SetFloatCompositing(bool floats)
+{
+  this->FloatCompositing = floats;
 }
 
 void vtkVarimarchVolumeRepresentation::SetBlendMode(int blendMode)
@@ -198,7 +192,7 @@ int vtkVarimarchVolumeRepresentation::RequestData(
   if (this->HasBlocks)
   {
     vtkNew<vtkImageData> none;
-    one->Append(InformationOf(grids.empty() ? none.Get() : grids.front()));
+    one->Append(varimarch::InformationOf(grids.empty() ? none.Get() : grids.front()));
     inputsOfOne[0] = one;
   }
   const int result = this->Superclass::RequestData(request, inputsOfOne, outputs);
@@ -275,28 +269,38 @@ void vtkVarimarchVolumeRepresentation::AgreeWithOthers(vtkObject* caller, unsign
   {
     vtkMultiProcessController::GetGlobalController()->AllReduce(
       own, least, 2, vtkCommunicator::MIN_OP);
-    this->OrderProcesses(renderer);
+    this->BeginImage(view, renderer);
   }
   this->Mapper->SetCommonSteps(least[0] < Unlimited ? least[0] : 0.0, least[1] < 0.0);
   vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "Varimarch: own steps %g, common steps %g%s", own[0],
     least[0], least[1] < 0.0 ? ", pre-integrated" : "");
 }
 
-// Warns at the first view for which no order is right. All processes take part.
-void vtkVarimarchVolumeRepresentation::OrderProcesses(vtkRenderer* renderer)
+// Orders the pictures of processes, if this is the first visible volume of its kind in the view.
+// All processes take part.
+void vtkVarimarchVolumeRepresentation::BeginImage(vtkPVRenderView* view, vtkRenderer* renderer)
 {
-  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
-  const auto conflict = varimarch::OrderProcesses(renderer, controller);
-  if (conflict && !this->HasWarnedOfOrder && controller->GetLocalProcessId() == 0)
+  vtkVarimarchVolumeRepresentation* first = nullptr;
+  for (int i = 0; !first && i < view->GetNumberOfRepresentations(); ++i)
   {
-    vtkWarningMacro("The processes "
-      << conflict->first << " and " << conflict->second
-      << ", or others between them, have parts in front of each other, and ParaView, which lays "
-         "the pictures of processes over each other as a whole, draws some pixels wrongly: no "
-         "order of processes is right for this view; expected another view, one volume, or one "
-         "process.");
+    auto* const volume = SafeDownCast(view->GetRepresentation(i));
+    first = volume && volume->GetVisibility() ? volume : nullptr;
   }
-  this->HasWarnedOfOrder = this->HasWarnedOfOrder || conflict;
+  if (first != this)
+  {
+    return;
+  }
+  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
+  const std::string warning = this->Image->Begin(renderer, controller, this->FloatCompositing);
+  if (!warning.empty() && IsFirstProcess())
+  {
+    vtkWarningMacro(<< warning);
+  }
+}
+
+void vtkVarimarchVolumeRepresentation::EndImage(vtkObject*, unsigned long, void*)
+{
+  this->Image->End();
 }
 
 bool vtkVarimarchVolumeRepresentation::AddToView(vtkView* view)
@@ -305,8 +309,11 @@ bool vtkVarimarchVolumeRepresentation::AddToView(vtkView* view)
   {
     // After the observers that synchronize the cameras of processes.
     constexpr float Last = -1.0F;
-    this->Observer = renderView->GetRenderer()->AddObserver(
+    vtkRenderer* const renderer = renderView->GetRenderer();
+    this->StartObserver = renderer->AddObserver(
       vtkCommand::StartEvent, this, &vtkVarimarchVolumeRepresentation::AgreeWithOthers, Last);
+    this->EndObserver = renderer->AddObserver(
+      vtkCommand::EndEvent, this, &vtkVarimarchVolumeRepresentation::EndImage);
   }
   return this->Superclass::AddToView(view);
 }
@@ -315,42 +322,10 @@ bool vtkVarimarchVolumeRepresentation::RemoveFromView(vtkView* view)
 {
   if (auto* const renderView = vtkPVRenderView::SafeDownCast(view))
   {
-    renderView->GetRenderer()->RemoveObserver(this->Observer);
+    renderView->GetRenderer()->RemoveObserver(this->StartObserver);
+    renderView->GetRenderer()->RemoveObserver(this->EndObserver);
   }
   return this->Superclass::RemoveFromView(view);
-}
-
-// A sentence that says why this process cannot draw its parts; empty if it can.
-std::string vtkVarimarchVolumeRepresentation::Problem()
-{
-  const std::vector<varimarch::OwnedPart>& parts = this->Mapper->GetParts();
-  const bool isDivided = HasSeveralProcesses() || parts.size() > 1;
-  if (isDivided && !IsComposite(this->Mapper->GetBlendMode()))
-  {
-    return std::string("The blend mode is ") + std::to_string(this->Mapper->GetBlendMode()) +
-      ", whose value of a pixel needs the whole ray, but several processes or images have a part "
-      "of it each: expected composite (0), isosurface (5) or slice (6), or one process and one "
-      "image";
-  }
-  if (isDivided && this->DimsLight())
-  {
-    return "Shadows, ambient occlusion or scattering are on, but a process or image does not have "
-           "the parts of the volume between its own and a light: expected them to be off, or one "
-           "process and one image";
-  }
-  if (const auto overlap = varimarch::FirstOverlap(varimarch::BoxesOf(parts)))
-  {
-    return "The images " + std::to_string(overlap->first + 1) + " and " +
-      std::to_string(overlap->second + 1) +
-      " of the input overlap, so that no order to draw them in is right: expected images that "
-      "touch at most; extract one of them, or choose ParaView's \"Volume\"";
-  }
-  if (this->HasBlocks && this->Cropping && HasSeveralProcesses())
-  {
-    return "Cropping is on, but a process does not know the whole of which its images are a part: "
-           "expected no cropping, one process, or an image that a reader has divided";
-  }
-  return std::string();
 }
 
 // True if light is dimmed by what it has passed.
@@ -364,11 +339,15 @@ void vtkVarimarchVolumeRepresentation::UpdateMapperParameters()
 {
   this->Mapper->SetCropping(0); // the planes are set below
   this->Superclass::UpdateMapperParameters();
-  const std::string problem = this->Problem();
+  const varimarch::Request request{ this->Mapper->GetBlendMode(), this->DimsLight(), this->Cropping,
+    HasSeveralProcesses(), this->HasBlocks };
+  const std::string common = varimarch::ProblemOfRequest(request, this->Mapper->GetParts());
+  const std::string problem =
+    common.empty() ? varimarch::ProblemOfParts(this->Mapper->GetParts()) : common;
   if (this->ReportedProblem != problem)
   {
     this->ReportedProblem = problem;
-    if (!problem.empty())
+    if (!problem.empty() && (common.empty() || IsFirstProcess()))
     {
       vtkErrorMacro(<< problem << ".");
     }

@@ -6,8 +6,9 @@
  * It has the properties of ParaView's "Volume" and those of the mapper that ParaView's does not
  * have: error tolerance, acceleration, shadows and ambient occlusion. Several processes each draw
  * the boxes of cells that they own, with the voxels around them for the light at their faces, and
- * ParaView composites the pictures. Before each image they agree on the order of their pictures,
- * and before a still image on steps: the shortest that any part needs.
+ * the pictures are composited: still images in floats, others in the 8 bits of ParaView. Before
+ * each image they agree on the order of their pictures, and before a still image on steps: the
+ * shortest that any part needs.
  *
  * Pictures of several processes, and of several images of a multi-block data set, are laid over
  * each other. What this gives no right picture of, projections and shadows, is refused with a
@@ -23,11 +24,18 @@
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkNew.h" // For Part
 
+#include <memory> // For Image
 #include <string> // For ReportedProblem
 
+class vtkPVRenderView;
 class vtkRenderer;
 class vtkVarimarchPartsMapper;
 class vtkVolume;
+
+namespace varimarch
+{
+class ImageOfProcesses;
+}
 
 class VARIMARCHPARAVIEWREPRESENTATION_EXPORT vtkVarimarchVolumeRepresentation
   : public vtkImageVolumeRepresentation
@@ -47,6 +55,12 @@ public:
   void SetShadowStrength(double strength);
   void SetAmbientOcclusion(double strength);
   ///@}
+
+  /**
+   * Composites still images of several processes in floats, instead of ParaView's 8 bits. Default
+   * true. The setting of the first visible volume of a view is that of the view.
+   */
+  void SetFloatCompositing(bool floats);
 
   ///@{
   /**
@@ -80,17 +94,19 @@ protected:
 
 private:
   void AgreeWithOthers(vtkObject* renderer, unsigned long event, void* data);
-  void OrderProcesses(vtkRenderer* renderer);
+  void BeginImage(vtkPVRenderView* view, vtkRenderer* renderer);
+  void EndImage(vtkObject* renderer, unsigned long event, void* data);
   void CropToBox();
   bool DimsLight();
-  std::string Problem();
 
   vtkVarimarchPartsMapper* Mapper; // the object in VolumeMapper
   bool Cropping = false;
   bool HasBlocks = false; // true if the input is a data set of several parts
-  bool HasWarnedOfOrder = false;
   vtkNew<vtkVolume> Part; // the volume for which steps are found, as ParaView's contains another
-  unsigned long Observer = 0;
+  std::unique_ptr<varimarch::ImageOfProcesses> Image;
+  bool FloatCompositing = true;
+  unsigned long StartObserver = 0;
+  unsigned long EndObserver = 0;
   std::string ReportedProblem;
 
   vtkVarimarchVolumeRepresentation(const vtkVarimarchVolumeRepresentation&) = delete;

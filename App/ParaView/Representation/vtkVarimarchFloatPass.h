@@ -1,0 +1,75 @@
+/**
+ * @class   vtkVarimarchFloatPass
+ * @brief   composites the pictures of several processes without rounding each part to 8 bits
+ *
+ * ParaView's vtkIceTCompositePass reads the picture of each process from a framebuffer of 8 bits
+ * and composites bytes. Between Begin and End, this pass takes the place of the pass that draws for
+ * it: it draws into a framebuffer of 16 bits per channel, lets IceT composite the pictures as
+ * floats, and draws the result into the framebuffer of the process that shows it. The others leave
+ * theirs empty, so that ParaView's own compositing changes nothing.
+ *
+ * Every process draws, and all have the same bounds: IceT neither calls a pass for a box that is
+ * out of sight, nor reads pixels outside of the box. The bounds are those of all processes.
+ */
+
+#ifndef vtkVarimarchFloatPass_h
+#define vtkVarimarchFloatPass_h
+
+#include "vtkNew.h" // For members
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h" // For members
+#include "vtkWeakPointer.h"  // For members
+
+#include <vector> // For the order of processes
+
+class vtkIceTCompositePass;
+class vtkIceTContext;
+class vtkMultiProcessController;
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+
+class vtkVarimarchFloatPass : public vtkRenderPass
+{
+public:
+  static vtkVarimarchFloatPass* New();
+  vtkTypeMacro(vtkVarimarchFloatPass, vtkRenderPass);
+
+  /**
+   * Composites the image that a renderer begins. All processes must call this.
+   * @param order  all processes, front to back
+   */
+  void Begin(vtkRenderer* renderer, vtkIceTCompositePass* compositePass,
+    vtkMultiProcessController* controller, std::vector<int> order);
+
+  /**
+   * Gives ParaView its pass back, if Begin has replaced it.
+   */
+  void End();
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkVarimarchFloatPass();
+  ~vtkVarimarchFloatPass() override;
+
+private:
+  void Bind(vtkOpenGLRenderWindow* window, const int size[2]);
+  std::vector<float> Composite(const std::vector<float>& own, const int size[2]);
+
+  vtkNew<vtkIceTContext> Context;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  int FramebufferSize[2] = { 0, 0 };
+  std::vector<int> Order; // all processes, front to back
+  vtkWeakPointer<vtkRenderer> Renderer;
+  vtkWeakPointer<vtkIceTCompositePass> CompositePass;
+  vtkSmartPointer<vtkRenderPass> OwnPass; // the pass that draws for CompositePass
+  vtkSmartPointer<vtkProp> CommonBounds;
+
+  vtkVarimarchFloatPass(const vtkVarimarchFloatPass&) = delete;
+  void operator=(const vtkVarimarchFloatPass&) = delete;
+};
+
+#endif
