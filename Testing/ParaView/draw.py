@@ -245,13 +245,6 @@ def overlapping(stage):
 
 
 @case
-def toned(stage):
-    """An image that ParaView processes after compositing."""
-    wavelet(stage)[1].Orientation = [180.0, 0.0, 0.0]
-    stage.view.UseToneMapping = 1
-
-
-@case
 def cell(stage):
     """One cell, so that all processes but one have no data."""
     source, display = wavelet(stage, opacity=0.9)

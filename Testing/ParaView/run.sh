@@ -19,14 +19,14 @@ report=$pictures/report.md
 ranks=("${@:-2 4 8}")
 read -ra ranks <<<"${ranks[*]}"
 cases=(composite behind lit opaque turned oblique cropped geometry inside two cells uneven block partition
-  blocks toned cell)
+  blocks cell)
 # Scenes of Data/References with a light at the eye, or with none.
 references=(torso-soft torso-soft-lit torso-parallel shells-thin-peak)
 # Least ratios of the pictures of several processes to that of one [dB]: with the default tolerance,
 # within which their steps may differ, and with one so small that what is left is the compositing.
 leastDecibels=55
 smallTolerance=0.0001
-leastDecibelsOfFloats=70
+leastDecibelsOfFloats=65
 # The same for ParaView's 8 bits, whose rounding alone is 59 dB for a part and adds up over the parts
 # behind each other.
 leastDecibelsOfBytes=50
@@ -158,6 +158,16 @@ testReferences()
   done
 }
 
+# leastOfFloats CASE prints the least ratio with a small tolerance. One process rounds a surface, and each
+# of several images, to 8 bits before the next one is drawn over it.
+leastOfFloats()
+{
+  case $1 in
+    geometry | blocks) echo "$leastDecibels" ;;
+    *) echo "$leastDecibelsOfFloats" ;;
+  esac
+}
+
 # against KIND FOLDER LEAST compares the picture of a case to that of one process.
 against()
 {
@@ -189,7 +199,7 @@ testSeveralProcesses()
       row "| $name | $count" \
         "| $(against ours "ours-$count" "$leastDecibels")" \
         "| $(against ours "bytes-$count" "$leastDecibelsOfBytes")" \
-        "| $(against small "small-$count" "$leastDecibelsOfFloats")" \
+        "| $(against small "small-$count" "$(leastOfFloats "$name")")" \
         "| $(against stock "stock-$count" 0) |"
     done
     # Where two volumes lie beside each other and are split along the line between them, some parts of
