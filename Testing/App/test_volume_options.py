@@ -264,7 +264,7 @@ def on_disk(folder):
     (folder / "scene.json").write_text(json.dumps(scene))
     run("render", folder / "scene.json", "-o", folder / "b.png", "--json", folder / "render.json")
     assert (folder / "torso.nrrd.varimarch-ranges").exists()
-    _, errors = run("info", volume, "--memory", "0.01", expect=1)
+    _, errors = run("info", volume, "--memory", "0.00002", expect=1)
     assert "for the bricks of 48 x 40 x 32" in errors, errors
 
 

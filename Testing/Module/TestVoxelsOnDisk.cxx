@@ -264,7 +264,7 @@ TEST_F(VoxelsOnDisk, NeedMemoryForTheirBricks)
   const ExpectedVtkErrors errors;
   this->reader->SetRawDimensions(this->torso->GetDimensions());
   this->reader->SetRawScalarType(VTK_SHORT);
-  this->Read(this->WriteTorso(), 4000);
+  this->Read(this->WriteTorso(), 20);
   EXPECT_NE(std::string(this->reader->GetErrorMessage()).find("for the bricks of 40 x 36 x 24"),
     std::string::npos)
     << this->reader->GetErrorMessage();

@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <optional>
 
@@ -21,10 +23,10 @@ namespace varimarch
 inline constexpr glm::ivec2 BoundPixels = glm::ivec2(37, 30);
 inline constexpr double StepError = 1e-3; ///< error of steps and floats
 
-inline std::vector<std::int16_t> Voxels(const VoxelAt& at)
+inline std::vector<std::int16_t> Voxels(
+  const VoxelAt& at, const glm::ivec3& count = PacketPictures::Dimensions)
 {
   std::vector<std::int16_t> voxels;
-  const glm::ivec3 count = PacketPictures::Dimensions;
   for (int i = 0; i < count.x * count.y * count.z; ++i)
   {
     const double value = at({ i % count.x, i / count.x % count.y, i / count.x / count.y });
@@ -55,21 +57,26 @@ inline TransferFunction Steep()
     PacketPictures::UnitDistanceMm };
 }
 
-/// A volume of which each block is drawn by its voxels or by its coarse level.
+/// A volume of which each block is drawn by its voxels, by its coarse level, or by one between.
 class LevelPictures
 {
 public:
   /// @param reflectance  of surfaces under a light at the eye; none without light
+  /// @param between      the level between, of half the voxels along each axis, at every second
+  /// voxel of the volume; none without one
   LevelPictures(const VoxelAt& at, const TransferFunction& look,
-    const std::optional<glm::dvec4>& reflectance = std::nullopt)
+    const std::optional<glm::dvec4>& reflectance = std::nullopt,
+    const std::optional<VoxelAt>& between = std::nullopt)
     : reflectance(reflectance)
     , pictures({ Voxels(at), look, BoundPixels })
     , summary(SummaryOf(MemorySource<std::int16_t>(
                           VoxelType::Int16, Voxels(at), glm::ivec2(PacketPictures::Dimensions)),
-        1 << 20, [](double) {}))
+        { 1 << 20 }, [](double) {}))
+    , middle(between ? MiddleOf(*between) : Middle())
     , looks(this->summary, VoxelType::Int16, this->pictures.Table(),
         reflectance ? std::optional(glm::dot(glm::dvec3(*reflectance), glm::dvec3(1.0)))
-                    : std::nullopt)
+                    : std::nullopt,
+        this->middle.levels)
   {
     if (reflectance)
     {
@@ -77,17 +84,15 @@ public:
       this->pictures.scene.parameters.reflectances[0] = *reflectance;
       this->pictures.scene.rule = PacketRule::MaterialLinear;
     }
-    constexpr double Side = CoarseLevel::Side;
-    const glm::dmat4 voxelsFromLevel =
-      glm::translate(glm::dmat4(1.0), glm::dvec3(0.5 * (Side - 1.0))) *
-      glm::scale(glm::dmat4(1.0), glm::dvec3(Side));
-    const glm::dmat3 worldFromLevel = this->pictures.WorldFromGrid() * glm::dmat3(voxelsFromLevel);
-    this->level = this->pictures.scene;
-    this->level.volume.voxels = this->summary.coarse.voxels.data();
-    this->level.volume.voxelCount = this->summary.coarse.voxelCount;
-    this->level.parameters.ownGridFromRays = glm::inverse(voxelsFromLevel);
-    this->level.parameters.worldFromGrid = worldFromLevel;
-    this->level.parameters.worldFromGradient = glm::transpose(glm::inverse(worldFromLevel));
+    this->scenes = { &this->pictures.scene };
+    if (between)
+    {
+      this->AddLevel(
+        this->middle.voxels.data(), (PacketPictures::Dimensions + 1) / 2, glm::dvec3(0.0), 2.0);
+    }
+    const double side = this->summary.coarse.side;
+    this->AddLevel(this->summary.coarse.voxels.data(), this->summary.coarse.voxelCount,
+      glm::dvec3(0.5 * (side - 1.0)), side);
   }
 
   const BlockLooks& Looks() const { return this->looks; }
@@ -98,7 +103,7 @@ public:
     const glm::dvec3 towards = glm::normalize(towardsWorld);
     this->texels = { glm::vec4(glm::vec3(towards), 0.0f), glm::vec4(1.0f), glm::vec4(1.0f),
       glm::vec4(0.0f), glm::vec4(0.0f) };
-    for (PacketScene* const scene : { &this->pictures.scene, &this->level })
+    for (PacketScene* const scene : this->scenes)
     {
       scene->light.shading = PacketShading::Lights;
       scene->light.castsShadows = true;
@@ -120,10 +125,14 @@ public:
 
   std::vector<float> Draw(const BlockLevels& levels)
   {
-    this->pictures.scene.levels = { &this->level, &this->pictures.scene, glm::mat4(1.0f),
-      levels.ofBlocks.data(), levels.count, float(levels.side * BrickRanges::CellsPerSide) };
-    this->level.levels = this->pictures.scene.levels;
-    this->level.levels.voxelGridFromOwn = glm::inverse(this->level.parameters.ownGridFromRays);
+    const std::vector<const PacketScene*> drawn(this->scenes.begin(), this->scenes.end());
+    for (PacketScene* const scene : this->scenes)
+    {
+      const bool isOfVoxels = scene == this->scenes.front();
+      scene->levels = { drawn.data(), int(drawn.size()),
+        isOfVoxels ? glm::mat4(1.0f) : glm::inverse(scene->parameters.ownGridFromRays),
+        levels.ofBlocks.data(), levels.count, float(levels.side) };
+    }
     return this->pictures.March(InstructionSetsOfProcessor().front());
   }
 
@@ -132,10 +141,10 @@ public:
   {
     RayParameters& rays = this->pictures.scene.rays;
     const RayParameters whole = rays;
-    constexpr double Side = CoarseLevel::Side;
-    const glm::dvec3 first(0.5 * (Side - 1.0));
+    const double side = this->summary.coarse.side;
+    const glm::dvec3 first(0.5 * (side - 1.0));
     rays.boxLowerGrid = first;
-    rays.boxUpperGrid = first + Side * glm::dvec3(this->summary.coarse.voxelCount - 1);
+    rays.boxUpperGrid = first + side * glm::dvec3(this->summary.coarse.voxelCount - 1);
     const std::vector<float> drawn = this->Draw(this->looks.Coarse());
     rays = whole;
     return drawn;
@@ -192,11 +201,48 @@ public:
   }
 
 private:
+  /// The level between the voxels and the coarse one.
+  struct Middle
+  {
+    std::vector<std::int16_t> voxels;
+    std::vector<MiddleLevel> levels; ///< one, or none without voxels
+  };
+
+  static Middle MiddleOf(const VoxelAt& at)
+  {
+    const glm::ivec3 count = (PacketPictures::Dimensions + 1) / 2;
+    Middle made{ Voxels(at, count), {} };
+    const MemorySource<std::int16_t> source(VoxelType::Int16, made.voxels, glm::ivec2(count));
+    const auto summary =
+      std::make_shared<VolumeSummary>(SummaryOf(source, { 1 << 20 }, [](double) {}));
+    made.levels = { { summary, glm::dvec3(0.0), glm::dvec3(2.0) } };
+    return made;
+  }
+
+  /// @param first  place of the first voxel in the volume
+  /// @param scale  distance of its voxels, in those of the volume
+  void AddLevel(
+    const void* voxels, const glm::ivec3& voxelCount, const glm::dvec3& first, double scale)
+  {
+    const glm::dmat4 voxelsFromLevel =
+      glm::translate(glm::dmat4(1.0), first) * glm::scale(glm::dmat4(1.0), glm::dvec3(scale));
+    const glm::dmat3 worldFromLevel = this->pictures.WorldFromGrid() * glm::dmat3(voxelsFromLevel);
+    PacketScene& level = this->levels.emplace_back(this->pictures.scene);
+    level.volume.voxels = voxels;
+    level.volume.voxelCount = voxelCount;
+    level.parameters.ownGridFromRays = glm::inverse(voxelsFromLevel);
+    level.parameters.worldFromGrid = worldFromLevel;
+    level.parameters.worldFromGradient = glm::transpose(glm::inverse(worldFromLevel));
+    this->scenes.push_back(&level);
+  }
+
   std::optional<glm::dvec4> reflectance;
   PacketPictures pictures;
   VolumeSummary summary;
+  Middle middle;
   BlockLooks looks;
-  PacketScene level;
+  std::deque<PacketScene> levels;   ///< the coarser ones
+  std::vector<PacketScene*> scenes; ///< the scenes of all levels
   std::vector<glm::vec4> texels;
   std::vector<LevelLight> lights;
 };

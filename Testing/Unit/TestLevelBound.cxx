@@ -41,6 +41,30 @@ TEST(LevelBound, HoldsInEveryPixelForAnyLevelsOfBlocks)
   EXPECT_LT(tightest, 0.05) << "no bound is near an error";
 }
 
+// The values of the level between have nothing to do with those of the volume.
+TEST(LevelBound, HoldsInEveryPixelForThreeLevels)
+{
+  double tightest = 1.0;
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    ByChance chance(seed);
+    const VoxelAt volume = chance.Volume();
+    const VoxelAt between = chance.Volume();
+    LevelPictures pictures(volume, chance.Function(), std::nullopt, between);
+    for (int i = 0; i < 3; ++i)
+    {
+      const BlockLevels levels = chance.Levels(pictures.Looks().Coarse());
+      EXPECT_LE(pictures.MostBeyond(levels), StepError) << "seed " << seed;
+      tightest = std::min(tightest,
+        LargestOf(LevelBounds(pictures.Scene(), levels)) - pictures.LargestDifference(levels));
+    }
+    BlockLevels refined = pictures.Looks().Begun();
+    RefineAll(pictures, chance.Number(0.02, 0.5), refined);
+    EXPECT_LE(pictures.MostBeyond(refined), StepError) << "seed " << seed;
+  }
+  EXPECT_LT(tightest, 0.05) << "no bound is near an error";
+}
+
 // The level lacks up to one and a half voxels before, and four and a half behind.
 TEST(LevelBound, HoldsForTheLevelAlone)
 {
@@ -140,6 +164,23 @@ TEST(LevelRefinement, TakesVoxelsForRowsOfPixelsInSeveralRounds)
     ++rounds;
   }
   EXPECT_EQ(rounds, 2) << "each is of 16 rows";
+}
+
+// Every second voxel of a slow wave is nearly the wave itself.
+TEST(LevelRefinement, TakesTheLevelBetweenWhereThatSuffices)
+{
+  const auto slow = [](const glm::ivec3& place) { return 50.0 + 40.0 * std::sin(0.15 * place.x); };
+  LevelPictures pictures(
+    slow, Foggy(0.05), std::nullopt, [&](const glm::ivec3& place) { return slow(2 * place); });
+  BlockLevels levels = pictures.Looks().Begun();
+  const double bound = RefineAll(pictures, 0.05, levels);
+  EXPECT_LE(bound, 0.05);
+  EXPECT_LE(pictures.MostBeyond(levels), StepError);
+  const auto between =
+    std::count(levels.ofBlocks.begin(), levels.ofBlocks.end(), BlockLevel::Coarse);
+  EXPECT_GT(between, 0);
+  EXPECT_GE(RefineAll(pictures, 1e-9, levels), 0.0);
+  EXPECT_EQ(LargestOf(LevelBounds(pictures.Scene(), levels)), 0.0) << "all are voxels in the end";
 }
 
 TEST(LevelRefinement, TakesNoVoxelsOfOneMaterial)

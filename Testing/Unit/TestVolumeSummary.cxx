@@ -4,13 +4,16 @@
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <limits>
+#include <mutex>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -53,7 +56,7 @@ TEST(VolumeSummary, OfSlabsIsThatOfTheWhole)
 {
   const MemorySource<std::int16_t> source(
     VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0), SliceDimensions);
-  const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+  const VolumeSummary summary = SummaryOf(source, { EnoughForASlab }, [](double) {});
   ExpectRangesOfTheWhole(summary, source);
   const std::vector<std::int16_t> voxels = Noise<std::int16_t>(-300.0, 900.0);
   EXPECT_EQ(summary.smallest, *std::min_element(voxels.begin(), voxels.end()));
@@ -68,7 +71,7 @@ TEST(VolumeSummary, OfAnyNumberOfSlicesHasAllVoxels)
   {
     const std::vector<std::uint8_t> voxels = Noise<std::uint8_t>(0.0, 255.0, slices);
     const MemorySource<std::uint8_t> source(VoxelType::UInt8, voxels, SliceDimensions);
-    const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+    const VolumeSummary summary = SummaryOf(source, { EnoughForASlab }, [](double) {});
     ExpectRangesOfTheWhole(summary, source);
     for (int value = 0; value < 256; ++value)
     {
@@ -82,7 +85,7 @@ TEST(VolumeSummary, HasTheMeansOfCubes)
 {
   const MemorySource<std::int16_t> source(
     VoxelType::Int16, Noise<std::int16_t>(-300.0, 900.0), SliceDimensions);
-  const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+  const VolumeSummary summary = SummaryOf(source, { EnoughForASlab }, [](double) {});
   ASSERT_EQ(summary.coarse.voxelCount, glm::ivec3(3, 2, 17));
   const auto* const means = reinterpret_cast<const std::int16_t*>(summary.coarse.voxels.data());
   const glm::ivec3 cube(2, 1, 16);
@@ -98,12 +101,12 @@ TEST(VolumeSummary, TellsValuesThatAreNotFinite)
 {
   std::vector<float> voxels = Noise<float>(-1.0, 2.0);
   EXPECT_TRUE(SummaryOf(MemorySource<float>(VoxelType::Float32, voxels, SliceDimensions),
-    EnoughForASlab,
+    { EnoughForASlab },
     [](double) {
     }).areFinite);
   voxels[1000] = std::numeric_limits<float>::infinity();
   const MemorySource<float> source(VoxelType::Float32, voxels, SliceDimensions);
-  const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+  const VolumeSummary summary = SummaryOf(source, { EnoughForASlab }, [](double) {});
   EXPECT_FALSE(summary.areFinite);
   EXPECT_LT(summary.largest, 2.0);
   ExpectRangesOfTheWhole(summary, source);
@@ -114,7 +117,7 @@ TEST(VolumeSummary, StopsWhereItsObserverThrows)
   const MemorySource<std::uint8_t> source(
     VoxelType::UInt8, Noise<std::uint8_t>(0.0, 255.0), SliceDimensions);
   const auto stop = [](double) { throw std::logic_error("enough"); };
-  EXPECT_THROW(SummaryOf(source, EnoughForASlab, stop), std::logic_error);
+  EXPECT_THROW(SummaryOf(source, { EnoughForASlab }, stop), std::logic_error);
 }
 
 /// Voxels that count how many are read at the same time.
@@ -145,7 +148,7 @@ public:
 TEST(VolumeSummary, IsReadInOneSlabAtATimeWhereMemoryIsShort)
 {
   const CountingSource source;
-  SummaryOf(source, 1, [](double) {});
+  SummaryOf(source, { 1 }, [](double) {});
   EXPECT_EQ(source.most, 1);
 }
 
@@ -197,9 +200,9 @@ void ExpectSummaryOfStoredBox(VoxelType type, const BrickSource::Box& stored)
   }
   const auto nothing = [](double) {};
   const VolumeSummary whole =
-    SummaryOf(MemorySource<Scalar>(type, voxels, SliceDimensions), EnoughForASlab, nothing);
+    SummaryOf(MemorySource<Scalar>(type, voxels, SliceDimensions), { EnoughForASlab }, nothing);
   const VolumeSummary sparse =
-    SummaryOf(StoredBox<Scalar>(type, voxels, stored), EnoughForASlab, nothing);
+    SummaryOf(StoredBox<Scalar>(type, voxels, stored), { EnoughForASlab }, nothing);
   EXPECT_EQ(sparse.smallest, whole.smallest);
   EXPECT_EQ(sparse.largest, whole.largest);
   EXPECT_EQ(sparse.counts, whole.counts);
@@ -223,6 +226,74 @@ TEST(VolumeSummary, OfWhatIsStoredIsThatOfTheWhole)
   }
 }
 
+std::vector<std::uint8_t> Scattered(const glm::ivec3& size)
+{
+  std::vector<std::uint8_t> voxels;
+  for (int i = 0; i < size.x * size.y * size.z; ++i)
+  {
+    voxels.push_back(std::uint8_t(i * 7919 % 251));
+  }
+  return voxels;
+}
+
+TEST(VolumeSummary, HasLargerBricksAndCubesWhereTheyAreWanted)
+{
+  constexpr int Side = 8;
+  const glm::ivec3 size(20, 18, 40);
+  const MemorySource<std::uint8_t> source(VoxelType::UInt8, Scattered(size), glm::ivec2(size));
+  const VolumeSummary summary = SummaryOf(source, { EnoughForASlab, Side }, [](double) {});
+  const BrickRanges expected = BuildBrickRanges(source.Grid(), 0.0, 255.0, 0, Side);
+  ASSERT_EQ(summary.ranges.BrickCount(), (size - 1 + Side - 1) / Side);
+  ASSERT_EQ(summary.ranges.Bytes(), expected.Bytes());
+  EXPECT_EQ(std::memcmp(summary.ranges.Memory(), expected.Memory(), expected.Bytes()), 0);
+  ASSERT_EQ(summary.coarse.voxelCount, size / Side);
+  double sum = 0.0;
+  for (int i = 0; i < Side * Side * Side; ++i)
+  {
+    sum += source.Grid().Voxel({ i % Side, i / Side % Side, i / Side / Side });
+  }
+  EXPECT_EQ(summary.coarse.voxels.front(), std::lround(sum / (Side * Side * Side)));
+}
+
+/// Voxels in chunks of 8, of which the rows that are read at once are remembered.
+class StripSource : public MemorySource<std::uint8_t>
+{
+public:
+  using MemorySource::MemorySource;
+
+  void Read(int level, const Box& box, void* to) const override
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    this->mostRows = std::max(this->mostRows, box.upper[1] - box.lower[1]);
+    this->leastSlices = std::min(this->leastSlices, box.upper[2] - box.lower[2]);
+    MemorySource::Read(level, box, to);
+  }
+
+  mutable std::mutex mutex;
+  mutable std::int64_t mostRows = 0;
+  mutable std::int64_t leastSlices = 1000;
+};
+
+// Thin slabs would read the same chunks again and again.
+TEST(VolumeSummary, IsMadeOfWholeChunksWhereWholeSlicesDoNotFit)
+{
+  const glm::ivec3 size(20, 90, 48);
+  const StripSource source(VoxelType::UInt8, Scattered(size), glm::ivec2(size));
+  const auto nothing = [](double) {};
+  const VolumeSummary whole = SummaryOf(source, { 1 << 22 }, nothing);
+  EXPECT_EQ(source.mostRows, size.y);
+  source.mostRows = 0;
+  source.leastSlices = 1000;
+  const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
+  const std::uint64_t bytesOfStrip = 20 * 17 * 25;
+  const VolumeSummary strips = SummaryOf(source, { threads * bytesOfStrip }, nothing);
+  EXPECT_EQ(source.mostRows, 25);
+  EXPECT_GE(source.leastSlices, 16);
+  EXPECT_EQ(strips.counts, whole.counts);
+  EXPECT_EQ(strips.coarse.voxels, whole.coarse.voxels);
+  EXPECT_EQ(std::memcmp(strips.ranges.Memory(), whole.ranges.Memory(), whole.ranges.Bytes()), 0);
+}
+
 TEST(VolumeSummary, TellsWhichBoxesAreZero)
 {
   std::mt19937 random(7);
@@ -235,7 +306,7 @@ TEST(VolumeSummary, TellsWhichBoxesAreZero)
     std::vector<std::int16_t> voxels(std::size_t(size.x * size.y * size.z));
     voxels[std::size_t((voxel.z * size.y + voxel.y) * size.x + voxel.x)] = trial % 2 == 0 ? 1 : -1;
     const MemorySource<std::int16_t> source(VoxelType::Int16, std::move(voxels), SliceDimensions);
-    const VolumeSummary summary = SummaryOf(source, EnoughForASlab, [](double) {});
+    const VolumeSummary summary = SummaryOf(source, { EnoughForASlab }, [](double) {});
     const glm::ivec3 one = place();
     const glm::ivec3 other = place();
     const glm::ivec3 lower = glm::min(one, other);

@@ -60,12 +60,16 @@ public:
     return { colors, opacities, PacketPictures::UnitDistanceMm };
   }
 
+  /// Any levels up to those that there are.
   BlockLevels Levels(BlockLevels levels)
   {
     const double part = this->Number(0.0, 1.0);
     for (BlockLevel& level : levels.ofBlocks)
     {
-      level = this->Number(0.0, 1.0) < part ? BlockLevel::Voxels : BlockLevel::Coarse;
+      const double coarsest = double(level);
+      level = this->Number(0.0, 1.0) < part
+        ? BlockLevel::Voxels
+        : BlockLevel(std::uint8_t(std::ceil(this->Number(0.0, coarsest))));
     }
     return levels;
   }

@@ -147,10 +147,11 @@ struct Frame
   /// plan with the first volume, and have input, material, geometry and settings of their own.
   std::vector<Frame> others;
 
-  /// The coarse level of the volume if it is drawn in some blocks instead of the voxels: one frame,
-  /// which has the same look. Only packets draw it; shaders draw the voxels of all blocks.
+  /// The coarser levels of the volume if they are drawn in some blocks instead of the voxels, from
+  /// the finest on: frames of the same look. Only packets draw them; shaders draw the voxels of all
+  /// blocks.
   std::vector<Frame> coarser;
-  std::shared_ptr<const BlockLevels> blockLevels; ///< null without a coarse level
+  std::shared_ptr<const BlockLevels> blockLevels; ///< null without coarser levels
   int levelRound = 0; ///< tells the levels of an image from those of others of the same scene
 };
 

@@ -64,6 +64,7 @@ MarchPlan PlanOf(const Frame& frame, const std::optional<PictureQuality>& qualit
   plan.imageSampleDistance = frame.image.sampleDistance;
   plan.mostAccumulated = frame.accumulation.mostImages;
   plan.volumes.resize(1 + frame.others.size());
+  plan.coarser.resize(frame.coarser.size());
   plan.pass = frame.pass.kind;
   plan.viewport = frame.view.viewport;
   if (quality)
@@ -105,11 +106,11 @@ VolumeMarch MarchOfOther(const Frame& frame, const MarchPlan& plan, std::size_t 
   return { frame.others[other], plan, std::move(settings) };
 }
 
-VolumeMarch MarchOfCoarser(const Frame& frame, const MarchPlan& plan)
+VolumeMarch MarchOfCoarser(const Frame& frame, const MarchPlan& plan, std::size_t level)
 {
   MarchPlan ofLevel = plan;
-  ofLevel.volumes = { plan.coarser };
-  return MarchOf(frame.coarser.front(), ofLevel);
+  ofLevel.volumes = { plan.coarser[level] };
+  return MarchOf(frame.coarser[level], ofLevel);
 }
 
 }

@@ -35,7 +35,7 @@ struct MarchPlan
   int mostAccumulated = 0;             ///< The number of images in the mean; 0: no accumulation.
   bool isInteractive = false;          ///< True while a user interacts.
   std::vector<VolumeFindings> volumes; ///< One entry for the first volume and each of the others.
-  VolumeFindings coarser;              ///< The findings of the coarse level, if there is one.
+  std::vector<VolumeFindings> coarser; ///< One entry for each coarser level.
 
   // One drawing of the image, or of a part of it.
   RayPass pass = RayPass::Whole;
@@ -75,8 +75,8 @@ VolumeMarch MarchOf(const Frame& frame, const MarchPlan& plan);
 /// The march of a volume that overlaps with the first.
 VolumeMarch MarchOfOther(const Frame& frame, const MarchPlan& plan, std::size_t other);
 
-/// The march of the coarse level.
-VolumeMarch MarchOfCoarser(const Frame& frame, const MarchPlan& plan);
+/// The march of a coarser level.
+VolumeMarch MarchOfCoarser(const Frame& frame, const MarchPlan& plan, std::size_t level);
 
 }
 

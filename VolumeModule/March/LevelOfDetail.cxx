@@ -14,6 +14,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace varimarch
 {
@@ -67,35 +68,70 @@ bool IsInteractive(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, con
     volume->GetAllocatedRenderTime() < LongestInteractiveSeconds && !Picks(frame.pass.kind);
 }
 
-// Both levels fill the same places: the voxels of the coarse one are in the middle of their cubes.
-void LevelOfDetail::UpdateImage(const std::shared_ptr<const VolumeSummary>& newSummary,
+namespace
+{
+
+vtkSmartPointer<vtkImageData> ImageOf(vtkDataArray* scalars, const glm::ivec3& voxelCount)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(voxelCount.x, voxelCount.y, voxelCount.z);
+  image->GetPointData()->SetScalars(scalars);
+  return image;
+}
+
+// Means that are in the middle of their cubes.
+vtkSmartPointer<vtkImageData> ImageOfMeans(const CoarseLevel& coarse, vtkDataArray* voxels)
+{
+  const auto scalars =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(voxels->GetDataType()));
+  const vtkIdType count =
+    vtkIdType(coarse.voxelCount.x) * coarse.voxelCount.y * coarse.voxelCount.z;
+  // The array only reads: its owner is the summary.
+  scalars->SetVoidArray(const_cast<std::uint8_t*>(coarse.voxels.data()), count, 1);
+  scalars->SetName(voxels->GetName());
+  return ImageOf(scalars, coarse.voxelCount);
+}
+
+/// Puts the image of a level where its voxels are among those of another.
+/// @param first  place of its first voxel, counted from the first of the other
+/// @param scale  distances of its voxels, in those of the other
+void Place(
+  vtkImageData* image, const glm::dvec3& first, const glm::dvec3& scale, vtkImageData* other)
+{
+  const int* const extent = other->GetExtent();
+  double origin[3];
+  other->TransformContinuousIndexToPhysicalPoint(
+    extent[0] + first.x, extent[2] + first.y, extent[4] + first.z, origin);
+  const double* const spacing = other->GetSpacing();
+  image->SetOrigin(origin);
+  image->SetSpacing(scale.x * spacing[0], scale.y * spacing[1], scale.z * spacing[2]);
+  image->SetDirectionMatrix(other->GetDirectionMatrix());
+}
+
+}
+
+// All levels fill the same places.
+void LevelOfDetail::UpdateImages(const std::shared_ptr<const VolumeSummary>& newSummary,
   vtkDataArray* scalarsOfVoxels, vtkImageData* voxels)
 {
-  constexpr double Side = CoarseLevel::Side;
   if (this->summary != newSummary)
   {
-    const CoarseLevel& coarse = newSummary->coarse;
-    const auto scalars = vtkSmartPointer<vtkDataArray>::Take(
-      vtkDataArray::CreateDataArray(scalarsOfVoxels->GetDataType()));
-    const vtkIdType count =
-      vtkIdType(coarse.voxelCount.x) * coarse.voxelCount.y * coarse.voxelCount.z;
-    // The array only reads: its owner is the summary.
-    scalars->SetVoidArray(const_cast<std::uint8_t*>(coarse.voxels.data()), count, 1);
-    scalars->SetName(scalarsOfVoxels->GetName());
-    this->image = vtkSmartPointer<vtkImageData>::New();
-    this->image->SetDimensions(coarse.voxelCount.x, coarse.voxelCount.y, coarse.voxelCount.z);
-    this->image->GetPointData()->SetScalars(scalars);
+    this->middle.clear();
+    this->images.clear();
+    for (const PagedLevel& level : PagedVoxelsOf(scalarsOfVoxels)->Coarser())
+    {
+      this->middle.push_back({ SummaryOf(level.scalars), level.first, level.scale });
+      this->images.push_back(ImageOf(level.scalars, level.voxelCount));
+    }
+    this->images.push_back(ImageOfMeans(newSummary->coarse, scalarsOfVoxels));
     this->summary = newSummary;
   }
-  const int* const extent = voxels->GetExtent();
-  double origin[3];
-  constexpr double Middle = 0.5 * (Side - 1.0);
-  voxels->TransformContinuousIndexToPhysicalPoint(
-    extent[0] + Middle, extent[2] + Middle, extent[4] + Middle, origin);
-  const double* const spacing = voxels->GetSpacing();
-  this->image->SetOrigin(origin);
-  this->image->SetSpacing(Side * spacing[0], Side * spacing[1], Side * spacing[2]);
-  this->image->SetDirectionMatrix(voxels->GetDirectionMatrix());
+  for (std::size_t i = 0; i < this->middle.size(); ++i)
+  {
+    Place(this->images[i], this->middle[i].first, this->middle[i].scale, voxels);
+  }
+  const double side = newSummary->coarse.side;
+  Place(this->images.back(), glm::dvec3(0.5 * (side - 1.0)), glm::dvec3(side), voxels);
 }
 
 // The level for the next image: VoxelLevel, CoarseLevel or RefinedLevel.
@@ -141,39 +177,49 @@ std::optional<Frame> LevelOfDetail::FrameInstead(
     return std::nullopt;
   }
   const int level = this->LevelNow(mapper, volume, frame, lastIsWhole);
-  const bool isCoarse = level != vtkVariationFieldVolumeMapper::VoxelLevel;
-  const std::optional<LevelInputs> inputs = isCoarse ? LevelInputsOf(known, frame) : std::nullopt;
-  const bool isRefined = level == vtkVariationFieldVolumeMapper::RefinedLevel;
-  if (!isCoarse || (isRefined && !(inputs && CanBeRefined(*inputs, frame))))
+  if (level == vtkVariationFieldVolumeMapper::VoxelLevel)
   {
     return std::nullopt;
   }
-  std::optional<Frame> coarse = this->CoarseFrame(mapper, volume, frame, known);
-  if (coarse && isRefined)
+  this->UpdateImages(
+    known, frame.voxels.scalars, vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
+  const std::optional<LevelInputs> inputs = LevelInputsOf(known, this->middle, frame);
+  if (level == vtkVariationFieldVolumeMapper::RefinedLevel)
   {
+    if (!inputs || !CanBeRefined(*inputs, frame))
+    {
+      return std::nullopt;
+    }
     DrawnView& view = this->views.front();
     this->Refine(
       view, ImageFingerprint(mapper, frame), *inputs, lastIsWhole ? LevelTolerance(frame) : 1.0);
     view.isComplete = view.refinement->Bound() <= LevelTolerance(frame);
     if (view.refinement->Rounds() > 0)
     {
-      return this->RefinedFrame(*view.refinement, frame, *coarse);
+      return this->RefinedFrame(*view.refinement, frame, this->LevelFrames(mapper, volume, frame));
     }
   }
-  if (coarse)
-  {
-    this->bound = [inputs] { return inputs ? BoundOfLevelAlone(*inputs) : 1.0; };
-    this->drawn.level = vtkVariationFieldVolumeMapper::CoarseLevel;
-  }
-  return coarse;
+  this->bound = [inputs] { return inputs ? BoundOfLevelAlone(*inputs) : 1.0; };
+  this->drawn.level = vtkVariationFieldVolumeMapper::CoarseLevel;
+  return this->CoarseFrame(mapper, volume, frame);
 }
 
-std::optional<Frame> LevelOfDetail::CoarseFrame(vtkVariationFieldVolumeMapper* mapper,
-  vtkVolume* volume, const Frame& frame, const std::shared_ptr<const VolumeSummary>& known)
+std::optional<Frame> LevelOfDetail::CoarseFrame(
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame)
 {
-  this->UpdateImage(
-    known, frame.voxels.scalars, vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
-  return BuildFrame(mapper, frame.view.renderer, volume, this->image);
+  return BuildFrame(mapper, frame.view.renderer, volume, this->images.back());
+}
+
+std::vector<Frame> LevelOfDetail::LevelFrames(
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame)
+{
+  std::vector<Frame> frames;
+  for (const vtkSmartPointer<vtkImageData>& image : this->images)
+  {
+    // A frame is empty only where that of the voxels is.
+    frames.push_back(*BuildFrame(mapper, frame.view.renderer, volume, image));
+  }
+  return frames;
 }
 
 void LevelOfDetail::ForgetScene(DrawnView& view)
@@ -236,20 +282,23 @@ void LevelOfDetail::Refine(DrawnView& view, const std::vector<double>& fingerpri
 }
 
 Frame LevelOfDetail::RefinedFrame(
-  const LevelRefinement& refinement, const Frame& frame, const Frame& coarse)
+  const LevelRefinement& refinement, const Frame& frame, std::vector<Frame> coarser)
 {
   this->bound = [bound = refinement.Bound()] { return bound; };
   this->drawn.level = vtkVariationFieldVolumeMapper::RefinedLevel;
   this->drawn.visibleBlocks = refinement.VisibleBlocks();
   this->drawn.refinedBlocks = refinement.RefinedBlocks();
   Frame refined = frame;
-  refined.coarser = { coarse };
+  refined.coarser = std::move(coarser);
   refined.blockLevels = refinement.Levels();
   QualityRequest& quality = refined.quality;
   quality.budget.tolerance *= 1.0 - LevelShare;
   quality.earlyTerminationTransmittance =
     quality.budget.EarlyTermination(quality.earlyTerminationTransmittance);
-  refined.coarser.front().quality = quality;
+  for (Frame& level : refined.coarser)
+  {
+    level.quality = quality;
+  }
   // Other levels make another image, which needs other steps.
   refined.levelRound = refinement.Rounds();
   if (!refined.accumulation.fingerprint.empty())

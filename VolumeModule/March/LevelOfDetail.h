@@ -48,10 +48,10 @@ struct DrawnLevel
   std::size_t refinedBlocks = 0; ///< Visible blocks that are drawn by voxels.
 };
 
-/// Draws volumes that stayed in their file by their coarse level, which is in memory, alone or in
-/// the blocks where it suffices, and bounds the error of that. It owns the image of the level,
-/// which shares the summary's voxels, and a marcher for it alone, so that neither level discards
-/// what belongs to the other.
+/// Draws volumes that stayed in their file by their coarser levels, in the blocks where they
+/// suffice, or by the coarsest alone, which is in memory, and bounds the error of that. It owns the
+/// images of the levels, which share the voxels of the summary and of the file, and a marcher for
+/// the coarsest alone, so that neither it nor the voxels discard what belongs to the other.
 class LevelOfDetail
 {
 public:
@@ -81,10 +81,10 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  void UpdateImage(const std::shared_ptr<const VolumeSummary>& newSummary,
+  void UpdateImages(const std::shared_ptr<const VolumeSummary>& newSummary,
     vtkDataArray* scalarsOfVoxels, vtkImageData* voxels);
-  std::optional<Frame> CoarseFrame(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume,
-    const Frame& frame, const std::shared_ptr<const VolumeSummary>& known);
+  std::optional<Frame> CoarseFrame(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame);
   int LevelNow(
     vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole);
   /// The view of a frame, which becomes the first of all.
@@ -94,10 +94,15 @@ private:
   /// Goes on with the scene of a fingerprint, or begins it.
   void Refine(DrawnView& view, const std::vector<double>& fingerprint, const LevelInputs& inputs,
     double tolerance);
-  Frame RefinedFrame(const LevelRefinement& refinement, const Frame& frame, const Frame& coarse);
+  Frame RefinedFrame(
+    const LevelRefinement& refinement, const Frame& frame, std::vector<Frame> coarser);
+  /// The frames of all levels, from the finest on.
+  std::vector<Frame> LevelFrames(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame);
 
   std::shared_ptr<const VolumeSummary> summary;
-  vtkSmartPointer<vtkImageData> image;
+  std::vector<MiddleLevel> middle;                   ///< See BlockLooks.
+  std::vector<vtkSmartPointer<vtkImageData>> images; ///< The levels, the coarsest last.
   RayMarcher marcher;
   std::function<double()> bound; ///< null for the voxels themselves
   std::list<DrawnView> views;    ///< The view that was drawn last is the first.

@@ -122,17 +122,22 @@ std::size_t CountOf(const BlockLevels& levels, BlockLevel level)
   return std::size_t(std::count(levels.ofBlocks.begin(), levels.ofBlocks.end(), level));
 }
 
+std::size_t CountVisible(const BlockLevels& levels)
+{
+  return levels.ofBlocks.size() - CountOf(levels, BlockLevel::Nothing);
+}
+
 }
 
 BlockLooks LevelInputs::Looks() const
 {
   const OpticalTable table =
     BuildOpticalTable(this->look, this->resolved.lower, this->resolved.upper);
-  return BlockLooks(*this->summary, this->type, table, this->brightest);
+  return BlockLooks(*this->summary, this->type, table, this->brightest, this->middle);
 }
 
-std::optional<LevelInputs> LevelInputsOf(
-  const std::shared_ptr<const VolumeSummary>& summary, const Frame& frame)
+std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSummary>& summary,
+  const std::vector<MiddleLevel>& middle, const Frame& frame)
 {
   const std::optional<VoxelType> type = VoxelTypeOf(frame.voxels.scalars->GetDataType());
   if (!type || !IsPlainComposite(frame, !summary->areFinite))
@@ -148,8 +153,8 @@ std::optional<LevelInputs> LevelInputsOf(
   const TransferFunction look =
     MaterialTablesOf(frame.material.property, frame.settings).front().transferFunction;
   const ScalarTexels all = ScalarTexelsOf(frame.voxels.components).front();
-  return LevelInputs{ summary, *type, look, Focused(all, all, look.ChangingValues()).resolved,
-    frame.fingerprint,
+  return LevelInputs{ summary, middle, *type, look,
+    Focused(all, all, look.ChangingValues()).resolved, frame.fingerprint,
     ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),
     frame.geometry.boxGrid, brightest, ShadowedLightsOf(frame), HasShadowsOfLamps(frame) };
@@ -210,7 +215,7 @@ void LevelRefinement::Begin()
 {
   this->looks = this->looks ? this->looks : std::make_shared<BlockLooks>(this->inputs.Looks());
   this->levels = std::make_shared<BlockLevels>(this->looks->Begun());
-  this->visible = CountOf(*this->levels, BlockLevel::Coarse);
+  this->visible = CountVisible(*this->levels);
   this->bounds = LevelBounds(this->inputs.SceneOf(*this->looks, false), *this->levels);
   this->bound = LargestOf(this->bounds);
 }

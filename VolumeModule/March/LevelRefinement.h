@@ -19,6 +19,7 @@ namespace varimarch
 struct LevelInputs
 {
   std::shared_ptr<const VolumeSummary> summary;
+  std::vector<MiddleLevel> middle; ///< See BlockLooks.
   VoxelType type;
   TransferFunction look;
   ValueRange resolved;                   ///< See ScalarTexels.
@@ -48,14 +49,15 @@ struct LevelInputs
 /// The inputs of a frame of voxels; none if more than the values along its rays decides on the
 /// image, so that ranges bound nothing.
 /// @param summary  that of the voxels, with a coarse level
-std::optional<LevelInputs> LevelInputsOf(
-  const std::shared_ptr<const VolumeSummary>& summary, const Frame& frame);
+/// @param middle   see BlockLooks
+std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSummary>& summary,
+  const std::vector<MiddleLevel>& middle, const Frame& frame);
 
 /// A bound of the error of an image of the coarse level alone, in about a second.
 double BoundOfLevelAlone(const LevelInputs& inputs);
 
-/// The blocks of a scene that are drawn by voxels: with each round those more that the image needs
-/// most, until the error of the others is within a tolerance.
+/// The levels by which the blocks of a scene are drawn: with each round finer ones where the image
+/// needs them most, until the error of all is within a tolerance.
 class LevelRefinement
 {
 public:

@@ -25,11 +25,11 @@ void SetPlace(VolumeParameters& p, const VolumeMarch& march, const VoxelRegion& 
   p.voxelCountInverse = 1.0 / glm::dvec3(voxels.count);
 }
 
-void SetField(VolumeParameters& p, glm::ivec3 size)
+void SetField(VolumeParameters& p, glm::ivec3 size, int cellsPerBrick)
 {
   p.fieldSize = glm::dvec3(size);
   p.fieldSizeInverse = 1.0 / glm::dvec3(size);
-  p.cellsPerBrick = float(BrickRanges::CellsPerSide);
+  p.cellsPerBrick = float(cellsPerBrick);
 }
 
 void SetExtreme(VolumeParameters& p, const VolumeMarch& march, const VolumeResources& volume,
@@ -130,7 +130,7 @@ VolumeParameters VolumeParametersOf(
   const Mappings& mappings = marched.mappings;
   VolumeParameters p = {};
   SetPlace(p, march, marched.voxels);
-  SetField(p, marched.fieldSize);
+  SetField(p, marched.fieldSize, volume.Fields().OfBricks().CellsPerBrick());
   SetTables(p, march, volume, mappings);
   SetMaterials(p, march, volume, mappings);
   if (IsExtreme(march.settings.blend))

@@ -56,7 +56,8 @@ vtkSmartPointer<vtkImageData> MappedImage(const VoxelsInFile& voxels, ReadProgre
   const RawVoxelSource source(voxels.path, layout, voxels.offset);
   const std::uint64_t mostBytes = voxels.mapping.mostMemoryBytes;
   const SummarizedVoxels summarized = { source, layout.scalarType, voxels.path, voxels.path,
-    StampOfFile(voxels.path, voxels.offset), mostBytes };
+    StampOfFile(voxels.path, voxels.offset), mostBytes,
+    SideOfBricks(source.Levels().front(), source.Type(), mostBytes / 2) };
   std::shared_ptr<const VolumeSummary> summary = KeptSummary(summarized);
   if (!summary && voxels.mapping.preview)
   {

@@ -1,10 +1,16 @@
 #ifndef Varimarch_Readers_PagedVoxels_h
 #define Varimarch_Readers_PagedVoxels_h
 
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace varimarch
@@ -12,6 +18,15 @@ namespace varimarch
 
 class PageMap;
 struct VolumeSummary;
+
+/// A coarser level of paged voxels: voxel (i, j, k) is at first + scale * (i, j, k) among them.
+struct PagedLevel
+{
+  vtkSmartPointer<vtkDataArray> scalars; ///< paged too, with a summary
+  glm::ivec3 voxelCount;
+  glm::dvec3 first;
+  glm::dvec3 scale;
+};
 
 /// Voxels in the address space that come into memory when they are touched, and whose parts can be
 /// dropped again. MappedMemory keeps what is in memory within a bound.
@@ -53,6 +68,10 @@ public:
     return time == this->summaryTime ? this->summary : nullptr;
   }
 
+  /// Remembers coarser levels, from the finest on.
+  void SetCoarser(std::vector<PagedLevel> levels) { this->coarser = std::move(levels); }
+  const std::vector<PagedLevel>& Coarser() const { return this->coarser; }
+
   /// A part of the voxels that is dropped as a whole.
   struct Part
   {
@@ -77,6 +96,7 @@ protected:
 private:
   std::shared_ptr<const VolumeSummary> summary;
   std::uint64_t summaryTime = 0;
+  std::vector<PagedLevel> coarser;
 };
 
 /// The voxels that an address is in; null if there are none.

@@ -1,14 +1,13 @@
 // Volumes in levels, read as a whole: OME-Zarr and HDF5.
 #include "Readers/ChunkedVoxels.h"
-#include "Readers/Decoder/DecodedLevel.h"
+#include "Readers/Decoder/DecodedPyramid.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/MappedVoxels.h"
 #include "Readers/Memory.h"
+#include "Readers/PagedPyramid.h"
 #include "Readers/Preview.h"
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Pyramids/ZarrHeader.h"
-#include "Readers/SummaryFile.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>
@@ -66,7 +65,8 @@ std::string ObstacleToPaging(const PyramidForm& form, std::size_t level, const R
     return "are more than 2147483647 along an axis";
   }
   const std::uint64_t mostBytes = MostMemoryBytes(options);
-  const std::uint64_t ofBricks = BytesOfBricks(form.levels[level], *type);
+  const std::uint64_t ofBricks = BytesOfBricks(
+    form.levels[level], *type, SideOfBricks(form.levels[level], *type, mostBytes / 2));
   if (ofBricks > mostBytes / 2)
   {
     return "have bricks for which " + ByteText(2.0 * double(ofBricks)) + " are needed";
@@ -223,28 +223,20 @@ std::optional<std::size_t> LevelOfPreview(
 }
 
 /// A level whose chunks are read when they are needed, or a preview of it.
-LevelImage PagedLevel(const PyramidOrder& order,
+LevelImage ReadPagedLevel(const PyramidOrder& order,
   const std::shared_ptr<const DecodedPyramid>& pyramid, std::size_t level, ReadProgress& progress)
 {
-  auto source = std::make_unique<DecodedLevel>(pyramid, int(level));
-  const std::int64_t missing = source->MissingChunks();
-  const VoxelLayout layout = LayoutOf(pyramid->Form(), level);
-  const std::uint64_t mostBytes = MostMemoryBytes(order.options);
-  const std::string number = std::to_string(level) + "." + std::to_string(order.options.channel) +
-    "." + std::to_string(order.options.time);
-  const SummarizedVoxels summarized = { *source, layout.scalarType, order.path,
-    order.path + "." + number, source->Stamp(), mostBytes };
-  std::shared_ptr<const VolumeSummary> summary = KeptSummary(summarized);
-  const std::optional<std::size_t> coarser = LevelOfPreview(pyramid->Form(), level, order.options);
-  if (!summary && order.options.preview && coarser)
+  const PyramidForm& form = pyramid->Form();
+  PagedPyramid paged(order, pyramid, level);
+  const std::optional<std::size_t> coarser = LevelOfPreview(form, level, order.options);
+  if (!paged.IsSummarized() && order.options.preview && coarser)
   {
     order.options.preview->sentence =
-      SentenceAboutPreview(LayoutOf(pyramid->Form(), *coarser), layout);
+      SentenceAboutPreview(LayoutOf(form, *coarser), LayoutOf(form, level));
     return ReadLevel(order.path, *pyramid, *coarser, progress);
   }
-  summary = summary ? summary : MadeSummary(summarized, progress);
-  auto voxels = std::make_unique<ChunkedVoxels>(std::move(source), summary, order.path, mostBytes);
-  return { PagedImage(std::move(voxels), layout, summary, mostBytes), missing, level };
+  const std::int64_t missing = paged.MissingChunks();
+  return { paged.Image(progress), missing, level };
 }
 
 /// Reads a level, or leaves it in its chunks if it does not fit.
@@ -259,7 +251,7 @@ LevelImage ImageOfLevel(const PyramidOrder& order,
   const std::string obstacle = ObstacleToPaging(pyramid->Form(), level, order.options);
   if (obstacle.empty())
   {
-    return PagedLevel(order, pyramid, level, progress);
+    return ReadPagedLevel(order, pyramid, level, progress);
   }
   const auto mostBytes = double(MostMemoryBytes(order.options));
   if (BytesOf(layout) > mostBytes)

@@ -23,7 +23,7 @@ namespace varimarch
 namespace
 {
 
-constexpr const char* Title = "varimarch ranges 2\n";
+constexpr const char* Title = "varimarch ranges 3\n";
 
 std::string DigestOf(const std::string& bytes)
 {
@@ -60,7 +60,8 @@ VoxelLayout LayoutOf(const SummarizedVoxels& voxels)
 /// The text that tells this content from any other.
 std::string KeyOf(const SummarizedVoxels& voxels)
 {
-  return Text(LayoutOf(voxels)) + " " + voxels.stamp + "\n";
+  return Text(LayoutOf(voxels)) + " bricks of " + std::to_string(voxels.side) + " cells " +
+    voxels.stamp + "\n";
 }
 
 /// A part of a summary that is stored.
@@ -98,7 +99,7 @@ bool ArePossible(const std::array<double, 2>& extremes, int scalarType)
 
 /// The stored summary; null if it is of other content, or damaged.
 std::shared_ptr<VolumeSummary> Restored(
-  const std::string& path, const std::string& key, const BrickSource& source, int scalarType)
+  const std::string& path, const std::string& key, const SummarizedVoxels& voxels)
 {
   std::ifstream file(path, std::ios::binary);
   const std::string expected = Title + key;
@@ -106,12 +107,12 @@ std::shared_ptr<VolumeSummary> Restored(
   std::array<double, 2> extremes = {};
   if (!file.read(found.data(), std::streamsize(found.size())) || found != expected ||
     !file.read(reinterpret_cast<char*>(extremes.data()), sizeof(extremes)) ||
-    !ArePossible(extremes, scalarType))
+    !ArePossible(extremes, voxels.scalarType))
   {
     return nullptr;
   }
-  auto summary = std::make_shared<VolumeSummary>(
-    UnfilledSummary(source.Levels().front(), source.Type(), extremes[0], extremes[1]));
+  auto summary = std::make_shared<VolumeSummary>(UnfilledSummary(voxels.source.Levels().front(),
+    voxels.source.Type(), { extremes[0], extremes[1] }, voxels.side));
   const auto blocks = BlocksOf(*summary);
   for (auto block = blocks.begin() + 2; block != blocks.end(); ++block)
   {
@@ -183,7 +184,8 @@ std::vector<std::string> PlacesOf(const std::string& path)
 
 void CheckMemory(const SummarizedVoxels& voxels)
 {
-  const std::uint64_t needed = BytesOfBricks(voxels.source.Levels().front(), voxels.source.Type());
+  const std::uint64_t needed =
+    BytesOfBricks(voxels.source.Levels().front(), voxels.source.Type(), voxels.side);
   if (needed > voxels.mostMemoryBytes / 2)
   {
     FailToRead(voxels.path,
@@ -234,8 +236,7 @@ std::shared_ptr<const VolumeSummary> KeptSummary(const SummarizedVoxels& voxels)
   const std::string key = KeyOf(voxels);
   for (const std::string& place : PlacesOf(voxels.place))
   {
-    auto summary =
-      voxels.stamp.empty() ? nullptr : Restored(place, key, voxels.source, voxels.scalarType);
+    auto summary = voxels.stamp.empty() ? nullptr : Restored(place, key, voxels);
     if (summary)
     {
       return summary;
@@ -249,8 +250,8 @@ std::shared_ptr<const VolumeSummary> MadeSummary(
 {
   const std::string key = KeyOf(voxels);
   const std::vector<std::string> places = PlacesOf(voxels.place);
-  const auto summary = std::make_shared<VolumeSummary>(SummaryOf(
-    voxels.source, voxels.mostMemoryBytes / 8, [&](double part) { progress.Report(part); }));
+  const auto summary = std::make_shared<VolumeSummary>(SummaryOf(voxels.source,
+    { voxels.mostMemoryBytes / 8, voxels.side }, [&](double part) { progress.Report(part); }));
   if (IsWorthKeeping(voxels) && !Store(places.front(), voxels.path, key, *summary) &&
     places.size() > 1)
   {

@@ -20,6 +20,7 @@ struct SummarizedVoxels
   std::string place; ///< path of the kept summary, without its ending
   std::string stamp; ///< differs after the voxels were written; empty if that is not known
   std::uint64_t mostMemoryBytes;
+  int side; ///< cells along each side of a brick
 };
 
 /// A text that tells the voxels of a file from others: its size and time, and samples of it.

@@ -70,14 +70,19 @@ FieldTexels TexelsOf(const ScalarRegion& region, const ValueField& chosen, int r
 }
 
 template <class Scalar>
-BrickRanges RangesOf(
-  const Scalar* scalars, int stride, const VoxelValues& values, const ScalarTexels& texels)
+BrickRanges RangesOf(const Scalar* scalars, const VoxelValues& values, std::size_t index)
 {
+  const ScalarTexels& texels = values.texels[index];
+  vtkDataArray* const array = values.components[index].array;
+  const auto summary = SummaryOf(array);
+  // As many bricks as fit into memory for a volume on disk.
+  const int side = summary ? summary->ranges.Side() : BrickRanges::CellsPerSide;
+  const int stride = array->GetNumberOfComponents();
   const glm::ivec3 dimensions = values.dimensions;
   if (stride == 1)
   {
     return BuildBrickRanges(ScalarGrid<Scalar>(scalars, dimensions), texels.resolved.lower,
-      texels.resolved.upper, values.reachVoxels);
+      texels.resolved.upper, values.reachVoxels, side);
   }
   // Only one component is copied at a time, to save memory.
   std::vector<Scalar> component(std::size_t(dimensions.x) * dimensions.y * dimensions.z);
@@ -86,18 +91,16 @@ BrickRanges RangesOf(
     component[i] = scalars[i * stride];
   }
   return BuildBrickRanges(ScalarGrid<Scalar>(component.data(), dimensions), texels.resolved.lower,
-    texels.resolved.upper, values.reachVoxels);
+    texels.resolved.upper, values.reachVoxels, side);
 }
 
 BrickRanges BuiltRanges(const VoxelValues& values, std::size_t index)
 {
   const VoxelComponent& component = values.components[index];
   void* const voxels = component.array->GetVoidPointer(component.index);
-  const int stride = component.array->GetNumberOfComponents();
   switch (component.array->GetDataType())
   {
-    vtkTemplateMacro(
-      return RangesOf(static_cast<const VTK_TT*>(voxels), stride, values, values.texels[index]));
+    vtkTemplateMacro(return RangesOf(static_cast<const VTK_TT*>(voxels), values, index));
   }
   return {};
 }
@@ -132,7 +135,7 @@ constexpr int BricksPerBlock = 2;
 
 VisibleBlocks VisibleBlocksOf(const OpticalField& field)
 {
-  constexpr float side = float(BricksPerBlock * BrickRanges::CellsPerSide);
+  const float side = float(BricksPerBlock * field.side);
   // The volume may extend half a voxel beyond the outermost voxels.
   VisibleBlocks blocks{ side + 2.0f, {} };
   for (const glm::ivec3& block : VisibleHull(field, BricksPerBlock))
@@ -235,8 +238,7 @@ void AccelerationField::BuildOpticalField(vtkOpenGLRenderWindow* window,
   this->ReleaseField(window);
   this->SetVisible(field, marcher);
   this->AddBuildSeconds(stopwatch.Seconds());
-  const Box all{ glm::dvec3(0.0),
-    double(BrickRanges::CellsPerSide) * glm::dvec3(field.brickCount) };
+  const Box all{ glm::dvec3(0.0), double(field.side) * glm::dvec3(field.brickCount) };
   if (field.SkippablePart(this->visible.Bounds(all)) >= LeastSkippablePart)
   {
     this->SetBricks(window, std::move(field), marcher);

@@ -85,6 +85,11 @@ public:
     vtkOpenGLRenderWindow* window, const ExtremeLook& look, bool largest, Marcher marcher);
 
   const BrickRanges& Ranges() const { return *this->ranges.front(); } ///< The first component's.
+  /// The cells along each side of a brick.
+  int CellsPerBrick() const
+  {
+    return this->ranges.empty() ? BrickRanges::CellsPerSide : this->Ranges().Side();
+  }
   vtkTextureObject* Texture() const { return this->texture; }
   const std::vector<std::uint8_t>& Bricks() const { return this->bricks; }
   const std::vector<std::uint16_t>& Extremes() const { return this->extremes; }

@@ -107,9 +107,9 @@ void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryEls
   {
     ReleaseBehind(this->coarser, frame.view.window, 0); // shaders draw voxels only
   }
-  for (const auto& level : this->coarser)
+  for (std::size_t level = 0; level < this->coarser.size(); ++level)
   {
-    plan.coarser = level->Update(MarchOfCoarser(frame, plan), {});
+    plan.coarser[level] = this->coarser[level]->Update(MarchOfCoarser(frame, plan, level), {});
   }
   plan.volumes.front() = this->first.Update(MarchOf(frame, plan), this->BesideFirst(ofImages));
   if (!frame.others.empty())
@@ -125,9 +125,9 @@ void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryEls
 void SceneResources::UpdatePreIntegrated(const Frame& frame, const MarchPlan& plan)
 {
   this->first.UpdatePreIntegrated(MarchOf(frame, plan));
-  for (const auto& level : this->coarser)
+  for (std::size_t level = 0; level < this->coarser.size(); ++level)
   {
-    level->UpdatePreIntegrated(MarchOfCoarser(frame, plan));
+    this->coarser[level]->UpdatePreIntegrated(MarchOfCoarser(frame, plan, level));
   }
 }
 

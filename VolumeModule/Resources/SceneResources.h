@@ -41,7 +41,7 @@ public:
   VolumeResources& Other(std::size_t index) { return *this->others[index]; }
   const VolumeResources& Other(std::size_t index) const { return *this->others[index]; }
   /// The coarse level. Requires a frame that has one.
-  VolumeResources& Coarser() { return *this->coarser.front(); }
+  VolumeResources& Coarser(std::size_t level) { return *this->coarser[level]; }
   SceneDepthTexture& Depth() { return this->depth; }
   const CasterResources& Casters() const { return this->casters; }
   /// The textures of the rays, apart from results of other drawings.
@@ -75,7 +75,7 @@ private:
   VolumeResources first;
   std::vector<std::unique_ptr<VolumeResources>>
     others; ///< The volumes that overlap with the first.
-  std::vector<std::unique_ptr<VolumeResources>> coarser; ///< The coarse level, or none.
+  std::vector<std::unique_ptr<VolumeResources>> coarser; ///< The coarser levels.
   SceneDepthTexture depth;
   BlueNoiseTexture noise;
   CasterResources casters;

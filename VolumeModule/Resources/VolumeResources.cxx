@@ -4,6 +4,7 @@
 #include "Core/Look/PreIntegratedTable.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/GrayRange.h"
+#include "Readers/MappedScalars.h"
 #include "Resources/FloatFramebuffer.h"
 #include "Resources/ValueFocus.h"
 
@@ -121,7 +122,9 @@ void VolumeResources::UpdateMask(const VolumeMarch& march)
   }
   else
   {
-    const bool isEven = march.frame.voxels.axes.empty();
+    const auto summary = SummaryOf(march.frame.voxels.scalars);
+    const bool hasLargeBricks = summary && summary->ranges.Side() > BrickRanges::CellsPerSide;
+    const bool isEven = march.frame.voxels.axes.empty() && !hasLargeBricks;
     this->mask.Update(march.frame.view.window, march.frame.voxels.mask,
       isEven ? march.frame.geometry.dimensions : glm::ivec3(0), march.plan.marcher);
   }

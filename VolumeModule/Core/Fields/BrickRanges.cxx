@@ -15,7 +15,6 @@ namespace varimarch
 namespace
 {
 
-constexpr int Side = BrickRanges::CellsPerSide;
 constexpr double LargestStep = 65535.0;
 
 // Smallest and largest value of each column of voxels in a bundle of rows.
@@ -104,8 +103,10 @@ int LastStep(double range, bool integers)
 
 }
 
-BrickRanges::BrickRanges(glm::ivec3 cellCount, double firstValue, double lastValue, bool integers)
-  : brickCount((cellCount + Side - 1) / Side)
+BrickRanges::BrickRanges(
+  glm::ivec3 cellCount, double firstValue, double lastValue, bool integers, int side)
+  : side(side)
+  , brickCount((cellCount + side - 1) / side)
   , firstValue(firstValue)
   , valuePerStep(varimarch::ValuePerStep(lastValue - firstValue, integers))
   , lastStep(varimarch::LastStep(lastValue - firstValue, integers))
@@ -136,18 +137,18 @@ void BrickRanges::Set(std::size_t brick, Steps steps)
 }
 
 template <class Scalar>
-BrickRanges BuildBrickRanges(
-  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue, int reachVoxels)
+BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>& grid, double smallestValue,
+  double largestValue, int reachVoxels, int side)
 {
   const glm::ivec3 voxels = grid.Dimensions();
   BrickRanges ranges(
-    grid.CellCount(), smallestValue, largestValue, std::numeric_limits<Scalar>::is_integer);
+    grid.CellCount(), smallestValue, largestValue, std::numeric_limits<Scalar>::is_integer, side);
   const glm::ivec3 bricks = ranges.BrickCount();
 
   // First and last voxel along an axis that a brick's values depend on.
-  const auto firstOf = [=](int brick) { return std::max(Side * brick - reachVoxels, 0); };
+  const auto firstOf = [=](int brick) { return std::max(side * brick - reachVoxels, 0); };
   const auto lastOf = [=](int brick, int count)
-  { return std::min(Side * (brick + 1) + reachVoxels, count - 1); };
+  { return std::min(side * (brick + 1) + reachVoxels, count - 1); };
   const int rowsOfBricks = bricks.y * bricks.z;
   tbb::parallel_for(tbb::blocked_range<int>(0, rowsOfBricks),
     [&](const tbb::blocked_range<int>& rows)
@@ -176,7 +177,7 @@ BrickRanges BuildBrickRanges(
 }
 
 #define VARIMARCH_RANGES_OF(Scalar) \
-  template BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>&, double, double, int)
+  template BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>&, double, double, int, int)
 VARIMARCH_RANGES_OF(char);
 VARIMARCH_RANGES_OF(signed char);
 VARIMARCH_RANGES_OF(unsigned char);

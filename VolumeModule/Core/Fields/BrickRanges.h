@@ -10,18 +10,20 @@
 namespace varimarch
 {
 
-/// Smallest and largest value of each brick of 4 x 4 x 4 cells: the part of an acceleration
-/// structure that depends only on the data.
+/// Smallest and largest value of each brick of cells: the part of an acceleration structure that
+/// depends only on the data. Bricks have 4 x 4 x 4 cells; those of volumes on disk have more where
+/// so many of them would not fit into memory.
 ///
-/// A brick reads 5 x 5 x 5 voxels, including its far faces, so that its range holds for all
-/// interpolated values in it; an interpolation that depends on voxels farther away adds those.
+/// A brick of 4 x 4 x 4 cells reads 5 x 5 x 5 voxels, including its far faces, so that its range
+/// holds for all interpolated values in it; an interpolation that depends on voxels farther away
+/// adds those.
 /// Ranges are stored in 8 or 16 bits relative to a range of values, rounded outwards; values beyond
 /// its ends count as these. They are exact for 8 bit data and for integers that span less than
 /// 2^16.
 class BrickRanges
 {
 public:
-  static constexpr int CellsPerSide = 4;
+  static constexpr int CellsPerSide = 4; ///< the side in volumes in memory
 
   /// A range in steps: value = FirstValue() + step * ValuePerStep(). A brick with a value that is
   /// not finite has smallest > largest.
@@ -38,7 +40,11 @@ public:
 
   /// Bricks of a volume whose values between first and last are told apart.
   /// @param integers  true if all values are whole numbers
-  BrickRanges(glm::ivec3 cellCount, double firstValue, double lastValue, bool integers);
+  /// @param side      cells along each side of a brick
+  BrickRanges(glm::ivec3 cellCount, double firstValue, double lastValue, bool integers,
+    int side = CellsPerSide);
+
+  int Side() const { return this->side; } ///< cells along each side of a brick
 
   glm::ivec3 BrickCount() const { return this->brickCount; }
   double FirstValue() const { return this->firstValue; }
@@ -67,6 +73,7 @@ public:
   const void* Memory() const { return const_cast<BrickRanges*>(this)->Memory(); }
 
 private:
+  int side = CellsPerSide;
   glm::ivec3 brickCount = glm::ivec3(0);
   double firstValue = 0.0; ///< value of step 0
   double valuePerStep = 1.0;
@@ -81,9 +88,10 @@ private:
 /// of the grid, or those between which its look changes
 /// @param reachVoxels  number of voxels beyond its cell that an interpolated value depends on; 0
 /// for linear interpolation
+/// @param side  cells along each side of a brick
 template <class Scalar>
-BrickRanges BuildBrickRanges(
-  const ScalarGrid<Scalar>& grid, double smallestValue, double largestValue, int reachVoxels = 0);
+BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>& grid, double smallestValue,
+  double largestValue, int reachVoxels = 0, int side = BrickRanges::CellsPerSide);
 
 }
 

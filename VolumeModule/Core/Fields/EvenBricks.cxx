@@ -11,8 +11,6 @@ namespace varimarch
 namespace
 {
 
-constexpr double BrickSide = BrickRanges::CellsPerSide;
-
 // A range of bricks along an axis, both ends included.
 struct Span
 {
@@ -21,16 +19,16 @@ struct Span
 };
 
 // The voxel bricks that overlap each brick of the even grid, along one axis.
-std::vector<Span> SpansOf(const UnevenAxis& axis, int brickCount)
+std::vector<Span> SpansOf(const UnevenAxis& axis, int brickCount, double side)
 {
   constexpr double Rounding = 1e-3; // error of a shader's position [voxels]
   std::vector<Span> spans;
   for (int brick = 0; brick < brickCount; ++brick)
   {
-    const double lower = axis.VoxelAt(BrickSide * brick) - Rounding;
-    const double upper = axis.VoxelAt(BrickSide * (brick + 1)) + Rounding;
-    spans.push_back({ std::clamp(int(std::floor(lower / BrickSide)), 0, brickCount - 1),
-      std::clamp(int(std::floor(upper / BrickSide)), 0, brickCount - 1) });
+    const double lower = axis.VoxelAt(side * brick) - Rounding;
+    const double upper = axis.VoxelAt(side * (brick + 1)) + Rounding;
+    spans.push_back({ std::clamp(int(std::floor(lower / side)), 0, brickCount - 1),
+      std::clamp(int(std::floor(upper / side)), 0, brickCount - 1) });
   }
   return spans;
 }
@@ -49,9 +47,10 @@ BrickRanges::Steps Union(const BrickRanges::Steps& a, const BrickRanges::Steps& 
 BrickRanges EvenBricks(const BrickRanges& ofVoxels, const std::vector<UnevenAxis>& axes)
 {
   const glm::ivec3 count = ofVoxels.BrickCount();
-  const std::vector<Span> alongX = SpansOf(axes[0], count.x);
-  const std::vector<Span> alongY = SpansOf(axes[1], count.y);
-  const std::vector<Span> alongZ = SpansOf(axes[2], count.z);
+  const double side = ofVoxels.Side();
+  const std::vector<Span> alongX = SpansOf(axes[0], count.x, side);
+  const std::vector<Span> alongY = SpansOf(axes[1], count.y, side);
+  const std::vector<Span> alongZ = SpansOf(axes[2], count.z, side);
   const auto indexOf = [&](int x, int y, int z)
   { return x + std::size_t(count.x) * (y + std::size_t(count.y) * z); };
   const auto stepsOf = [&](const Span& spanX, const Span& spanY, const Span& spanZ)

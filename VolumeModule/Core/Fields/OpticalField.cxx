@@ -247,9 +247,11 @@ private:
 
 // Builds a field from the class of each brick, classOf(index).
 template <class ClassOf>
-OpticalField BuildField(glm::ivec3 count, glm::ivec3 towards, ClassOf classOf)
+OpticalField BuildField(const BrickRanges& ranges, glm::ivec3 towards, ClassOf classOf)
 {
+  const glm::ivec3 count = ranges.BrickCount();
   OpticalField field;
+  field.side = ranges.Side();
   field.brickCount = count;
   field.bricks.resize(std::size_t(count.x) * count.y * count.z);
   ChebyshevDistance distance(count, towards);
@@ -289,8 +291,8 @@ OpticalField BuildOpticalField(const std::vector<OpticalChannel>& channels, cons
   const OpticalTolerance& tolerance, glm::ivec3 towards)
 {
   const ChannelsClassifier classifier(channels, rows, tolerance);
-  return BuildField(channels.front().ranges.BrickCount(), towards,
-    [&](std::size_t brick) { return classifier.ClassOf(brick); });
+  return BuildField(
+    channels.front().ranges, towards, [&](std::size_t brick) { return classifier.ClassOf(brick); });
 }
 
 OpticalField BuildIsosurfaceField(
@@ -298,7 +300,7 @@ OpticalField BuildIsosurfaceField(
 {
   const auto valueOf = [&](double step)
   { return ranges.FirstValue() + step * ranges.ValuePerStep(); };
-  return BuildField(ranges.BrickCount(), towards,
+  return BuildField(ranges, towards,
     [&](std::size_t brick)
     {
       // Half a step of margin on either side covers rounding.
@@ -313,9 +315,10 @@ OpticalField BuildIsosurfaceField(
 
 double OpticalField::SkippablePart(const Box& boxGrid) const
 {
-  constexpr double Side = BrickRanges::CellsPerSide;
-  const glm::ivec3 first = glm::max(glm::ivec3(glm::floor(boxGrid.lower / Side)), 0);
-  const glm::ivec3 behind = glm::min(glm::ivec3(glm::ceil(boxGrid.upper / Side)), this->brickCount);
+  const double cells = this->side;
+  const glm::ivec3 first = glm::max(glm::ivec3(glm::floor(boxGrid.lower / cells)), 0);
+  const glm::ivec3 behind =
+    glm::min(glm::ivec3(glm::ceil(boxGrid.upper / cells)), this->brickCount);
   std::ptrdiff_t structured = 0;
   std::ptrdiff_t all = 0;
   for (int z = first.z; z < behind.z; ++z)

@@ -30,7 +30,8 @@ struct OpticalField
   static constexpr int LargestRadius = 127;
 
   glm::ivec3 brickCount = glm::ivec3(0);
-  std::vector<std::uint8_t> bricks; ///< x fastest
+  std::vector<std::uint8_t> bricks;     ///< x fastest
+  int side = BrickRanges::CellsPerSide; ///< cells along each side of a brick
 
   /// Fraction of the bricks in a box [grid space] that a ray crosses in one step.
   double SkippablePart(const Box& boxGrid) const;

@@ -4,6 +4,7 @@
 #include "Core/Blocks/BrickSource.h"
 #include "Core/Fields/BrickRanges.h"
 
+#include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -26,52 +27,69 @@ inline glm::ivec3 VoxelCountOf(const BrickSource::Level& level)
   return { int(dimensions[0]), int(dimensions[1]), int(dimensions[2]) };
 }
 
-/// A part of the volume between two planes of bricks, without the bricks around it of which nothing
-/// is stored.
+/// A part of the volume between planes of bricks, without the bricks around it of which nothing is
+/// stored.
 struct StoredSlab
 {
   glm::ivec3 first; ///< its first voxel, which begins a brick
-  glm::ivec3 count; ///< voxels along each axis, with the slice that the next slab begins with
-  int ownSlices;    ///< slices without that
+  glm::ivec3 count; ///< voxels along each axis, with those that the next slabs begin with
+  glm::ivec3 own;   ///< voxels without those
 
   std::size_t Voxels() const
   {
     return std::size_t(this->count.x) * std::size_t(this->count.y) * std::size_t(this->count.z);
   }
+
+  /// False for voxels at the end that belong to the cells of the slab before.
+  bool HasCells() const
+  {
+    const bool isLastRow = this->count.y == 1 && this->first.y > 0;
+    const bool isLastSlice = this->count.z == 1 && this->first.z > 0;
+    return !isLastRow && !isLastSlice;
+  }
 };
 
 /// Reads slabs on as many cores as there is memory for slabs. A core takes no other slab before it
-/// is done with one.
+/// is done with one. Slabs have whole chunks if there is memory for a row of them along x.
 template <class Scalar>
 class SlabReader
 {
 public:
-  SlabReader(const BrickSource& source, std::uint64_t mostBytes)
+  /// @param side  cells along each side of a brick
+  SlabReader(const BrickSource& source, std::uint64_t mostBytes, int side)
     : source(source)
+    , side(side)
     , voxels(VoxelCountOf(source.Levels().front()))
+    , extent(this->voxels)
   {
-    const std::uint64_t sliceBytes =
-      sizeof(Scalar) * std::uint64_t(this->voxels.x) * std::uint64_t(this->voxels.y);
-    const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
-    const std::uint64_t slices = std::max<std::uint64_t>(mostBytes / threads / sliceBytes, 1) - 1;
-    const auto chunk = std::uint64_t(source.Levels().front().chunk[2]);
-    const std::uint64_t wanted =
-      std::min<std::uint64_t>(std::max<std::uint64_t>(chunk, 16), slices);
-    this->slabSlices = int(std::max<std::uint64_t>(wanted / Side, 1)) * Side;
-    const std::uint64_t slabBytes = sliceBytes * std::uint64_t(this->slabSlices + 1);
-    this->slabsAtOnce = int(std::clamp<std::uint64_t>(mostBytes / slabBytes, 1, threads));
+    constexpr std::int64_t FewSlices = 16;
+    const auto& chunk = source.Levels().front().chunk;
+    const auto threads = std::int64_t(tbb::this_task_arena::max_concurrency());
+    const std::int64_t rowBytes = std::int64_t(sizeof(Scalar)) * this->voxels.x;
+    const auto rows = std::int64_t(mostBytes) / threads / rowBytes; // rows that a slab may have
+    const std::int64_t slices = std::max(chunk[2], FewSlices);
+    const bool hasWholeSlices = rows >= (slices + 1) * this->voxels.y;
+    const bool hasWholeChunks = rows >= (slices + 1) * (chunk[1] + 1);
+    this->extent.y =
+      hasWholeChunks && !hasWholeSlices ? this->Bricks(rows / (slices + 1) - 1) : this->voxels.y;
+    this->extent.z =
+      this->Bricks(std::min(slices, rows / std::min(this->extent.y + 1, this->voxels.y) - 1));
+    const std::int64_t slabBytes =
+      rowBytes * std::min(this->extent.y + 1, this->voxels.y) * std::int64_t(this->extent.z + 1);
+    this->slabsAtOnce =
+      int(std::clamp<std::int64_t>(std::int64_t(mostBytes) / slabBytes, 1, threads));
   }
 
   /// True if the slabs have all voxels.
   bool HaveAll() const
   {
-    bool haveAll = true;
+    std::int64_t own = 0;
     for (int i = 0; i < this->SlabCount(); ++i)
     {
-      const glm::ivec3 count = this->SlabOf(i).count;
-      haveAll = haveAll && count.x == this->voxels.x && count.y == this->voxels.y;
+      const glm::ivec3 count = this->SlabOf(i).own;
+      own += std::int64_t(count.x) * count.y * count.z;
     }
-    return haveAll;
+    return own == std::int64_t(this->voxels.x) * this->voxels.y * this->voxels.z;
   }
 
   /// Calls take(slab, its voxels) for each slab, on several cores.
@@ -101,9 +119,17 @@ public:
   }
 
 private:
-  static constexpr int Side = BrickRanges::CellsPerSide;
+  /// As many voxels as whole bricks have, one at least.
+  int Bricks(std::int64_t most) const
+  {
+    return int(std::max<std::int64_t>(most / this->side, 1)) * this->side;
+  }
 
-  int SlabCount() const { return (this->voxels.z + this->slabSlices - 1) / this->slabSlices; }
+  int StripCount() const { return (this->voxels.y + this->extent.y - 1) / this->extent.y; }
+  int SlabCount() const
+  {
+    return this->StripCount() * ((this->voxels.z + this->extent.z - 1) / this->extent.z);
+  }
 
   static BrickSource::Box BoxOf(const StoredSlab& slab)
   {
@@ -113,26 +139,31 @@ private:
 
   StoredSlab SlabOf(int index) const
   {
-    const int first = index * this->slabSlices;
-    const int own = std::min(this->slabSlices, this->voxels.z - first);
-    StoredSlab slab = { { 0, 0, first },
-      { this->voxels.x, this->voxels.y, std::min(own + 1, this->voxels.z - first) }, own };
+    const glm::ivec3 first(
+      0, index % this->StripCount() * this->extent.y, index / this->StripCount() * this->extent.z);
+    const glm::ivec3 own =
+      glm::min(glm::ivec3(this->voxels.x, this->extent.y, this->extent.z), this->voxels - first);
+    StoredSlab slab = { first, glm::min(own + 1, this->voxels - first), own };
     const BrickSource::Box stored = this->source.Occupied(BoxOf(slab));
+    const glm::ivec3 end = first + slab.count;
     for (int axis = 0; axis < 2; ++axis)
     {
       // A voxel between two bricks belongs to both.
       const auto lower = int(stored.lower[axis]);
       const auto upper = int(stored.upper[axis]);
-      slab.first[axis] = std::max(lower - 1, 0) / Side * Side;
-      const int behind = std::min((upper - 1) / Side * Side + Side + 1, this->voxels[axis]);
+      slab.first[axis] = std::max(std::max(lower - 1, 0) / this->side * this->side, first[axis]);
+      const int behind =
+        std::min((upper - 1) / this->side * this->side + this->side + 1, end[axis]);
       slab.count[axis] = lower < upper ? behind - slab.first[axis] : 0;
+      slab.own[axis] = std::clamp(first[axis] + own[axis] - slab.first[axis], 0, slab.count[axis]);
     }
     return slab;
   }
 
   const BrickSource& source;
+  int side;
   glm::ivec3 voxels;
-  int slabSlices;
+  glm::ivec3 extent; ///< own voxels of a slab along y and z
   int slabsAtOnce;
 };
 

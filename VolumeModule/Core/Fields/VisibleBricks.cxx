@@ -87,7 +87,8 @@ std::vector<glm::ivec3> VisibleHull(const OpticalField& field, int side)
 }
 
 VisibleBricks::VisibleBricks(const OpticalField& field)
-  : brickCount(field.brickCount)
+  : side(field.side)
+  , brickCount(field.brickCount)
   , visible(field.bricks.size())
 {
   for (std::size_t i = 0; i < field.bricks.size(); ++i)
@@ -98,13 +99,12 @@ VisibleBricks::VisibleBricks(const OpticalField& field)
 
 Box VisibleBricks::Bounds(const Box& partGrid) const
 {
-  constexpr int Side = BrickRanges::CellsPerSide;
   const glm::ivec3 count = this->brickCount;
-  const glm::ivec3 lowest =
-    glm::clamp(glm::ivec3(glm::floor(partGrid.lower / double(Side))), glm::ivec3(0), count - 1);
+  const glm::ivec3 lowest = glm::clamp(
+    glm::ivec3(glm::floor(partGrid.lower / double(this->side))), glm::ivec3(0), count - 1);
   // A part beyond the outermost voxels shows the outermost bricks.
   const glm::ivec3 behind =
-    glm::clamp(glm::ivec3(glm::ceil(partGrid.upper / double(Side))), lowest + 1, count);
+    glm::clamp(glm::ivec3(glm::ceil(partGrid.upper / double(this->side))), lowest + 1, count);
   glm::ivec3 first = count;
   glm::ivec3 last(-1);
   for (int z = lowest.z; z < behind.z; ++z)
@@ -127,9 +127,9 @@ Box VisibleBricks::Bounds(const Box& partGrid) const
   for (int axis = 0; axis < 3; ++axis)
   {
     box.lower[axis] =
-      first[axis] == lowest[axis] ? partGrid.lower[axis] : double(Side * first[axis]);
+      first[axis] == lowest[axis] ? partGrid.lower[axis] : double(this->side * first[axis]);
     box.upper[axis] =
-      last[axis] == behind[axis] - 1 ? partGrid.upper[axis] : double(Side * (last[axis] + 1));
+      last[axis] == behind[axis] - 1 ? partGrid.upper[axis] : double(this->side * (last[axis] + 1));
   }
   return box;
 }

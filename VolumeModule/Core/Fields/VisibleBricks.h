@@ -25,6 +25,7 @@ public:
   Box Bounds(const Box& partGrid) const;
 
 private:
+  int side = BrickRanges::CellsPerSide; ///< cells along each side of a brick
   glm::ivec3 brickCount = glm::ivec3(0);
   std::vector<bool> visible; ///< x fastest
 };

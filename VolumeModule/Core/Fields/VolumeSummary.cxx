@@ -15,8 +15,6 @@ namespace varimarch
 namespace
 {
 
-constexpr int CellsOfBrick = BrickRanges::CellsPerSide;
-
 /// Extremes of the finite values of a slab.
 template <class Scalar>
 struct Finite
@@ -97,7 +95,7 @@ void PutRanges(const BrickRanges& ofSlab, const StoredSlab& slab, BrickRanges& r
 {
   const glm::ivec3 count = ofSlab.BrickCount();
   const glm::ivec3 all = ranges.BrickCount();
-  const glm::ivec3 first = slab.first / CellsOfBrick;
+  const glm::ivec3 first = slab.first / ranges.Side();
   std::size_t brick = 0;
   for (int row = 0; row < count.y * count.z; ++row)
   {
@@ -112,20 +110,23 @@ void PutRanges(const BrickRanges& ofSlab, const StoredSlab& slab, BrickRanges& r
 
 // Only integers are counted.
 template <class Scalar>
-void Count(const StoredSlab& slab, const std::vector<Scalar>& voxels,
+void Count(const StoredSlab& slab, const ScalarGrid<Scalar>& grid,
   std::vector<std::int64_t>& counts, std::mutex& mutex)
 {
   if constexpr (std::is_integral_v<Scalar>)
   {
-    const std::size_t own = voxels.size() / std::size_t(slab.count.z) * slab.ownSlices;
     // Neighbours are often alike: with a count each they do not wait for each other. A slab has
     // fewer than 2^32 voxels.
-    constexpr std::size_t Apart = 4;
+    constexpr int Apart = 4;
     std::vector<std::uint32_t> few(Apart * counts.size());
-    for (std::size_t i = 0; i < own; ++i)
+    for (int row = 0; row < slab.own.y * slab.own.z; ++row)
     {
-      const auto value = std::size_t(int(voxels[i]) - int(std::numeric_limits<Scalar>::lowest()));
-      ++few[i % Apart * counts.size() + value];
+      const Scalar* const voxels = grid.Row(row % slab.own.y, row / slab.own.y);
+      for (int x = 0; x < slab.own.x; ++x)
+      {
+        const auto value = std::size_t(int(voxels[x]) - int(std::numeric_limits<Scalar>::lowest()));
+        ++few[std::size_t(x % Apart) * counts.size() + value];
+      }
     }
     const std::lock_guard<std::mutex> lock(mutex);
     for (std::size_t i = 0; i < few.size(); ++i)
@@ -146,23 +147,31 @@ void CountFill(const BrickSource& source, std::vector<std::int64_t>& counts)
     size[0] * size[1] * size[2] - read;
 }
 
-// The means of a row of cubes.
-template <class Scalar>
-void TakeMeans(const ScalarGrid<Scalar>& grid, int firstY, int firstZ, int count, Scalar* means)
+/// Cubes of voxels side by side along x, from x = 0 on.
+struct RowOfCubes
 {
-  constexpr int Cube = CoarseLevel::Side;
+  int firstY;
+  int firstZ;
+  int count;
+  int side; ///< voxels along each side of a cube
+};
+
+template <class Scalar>
+void TakeMeans(const ScalarGrid<Scalar>& grid, const RowOfCubes& cubes, Scalar* means)
+{
   using Sum = std::conditional_t<std::is_integral_v<Scalar>, std::int32_t, double>;
-  std::vector<Sum> columns(std::size_t(Cube) * count);
-  for (int i = 0; i < Cube * Cube; ++i)
+  const int side = cubes.side;
+  std::vector<Sum> columns(std::size_t(side) * cubes.count);
+  for (int i = 0; i < side * side; ++i)
   {
-    const Scalar* const voxels = grid.Row(firstY + i % Cube, firstZ + i / Cube);
+    const Scalar* const voxels = grid.Row(cubes.firstY + i % side, cubes.firstZ + i / side);
     std::transform(columns.begin(), columns.end(), voxels, columns.begin(),
       [](Sum sum, Scalar voxel) { return sum + Sum(voxel); });
   }
-  for (int x = 0; x < count; ++x)
+  for (int x = 0; x < cubes.count; ++x)
   {
-    const auto first = columns.begin() + Cube * x;
-    const double mean = double(std::accumulate(first, first + Cube, Sum(0))) / (Cube * Cube * Cube);
+    const auto first = columns.begin() + side * x;
+    const double mean = double(std::accumulate(first, first + side, Sum(0))) / (side * side * side);
     means[x] = Scalar(std::is_integral_v<Scalar> ? std::round(mean) : mean);
   }
 }
@@ -171,18 +180,17 @@ void TakeMeans(const ScalarGrid<Scalar>& grid, int firstY, int firstZ, int count
 template <class Scalar>
 void PutMeans(const StoredSlab& slab, const ScalarGrid<Scalar>& grid, CoarseLevel& coarse)
 {
-  constexpr int Cube = CoarseLevel::Side;
+  const int side = coarse.side;
   auto* const means = reinterpret_cast<Scalar*>(coarse.voxels.data());
   const glm::ivec3 count = coarse.voxelCount;
-  const glm::ivec3 first = slab.first / Cube;
-  const glm::ivec3 own =
-    glm::min(glm::ivec3(slab.count.x, slab.count.y, slab.ownSlices) / Cube, count - first);
+  const glm::ivec3 first = slab.first / side;
+  const glm::ivec3 own = glm::min(slab.own / side, count - first);
   for (int z = 0; z < own.z; ++z)
   {
     for (int y = 0; y < own.y; ++y)
     {
       const std::size_t row = std::size_t(first.z + z) * count.y + first.y + y;
-      TakeMeans(grid, Cube * y, Cube * z, own.x, means + row * count.x + first.x);
+      TakeMeans(grid, { side * y, side * z, own.x, side }, means + row * count.x + first.x);
     }
   }
 }
@@ -200,15 +208,16 @@ void TakeExtremes(VolumeSummary& summary)
 }
 
 template <class Scalar>
-VolumeSummary SummaryOf(
-  const BrickSource& source, std::uint64_t mostBytes, const std::function<void(double)>& report)
+VolumeSummary SummaryOf(const BrickSource& source, const SummaryOptions& options,
+  const std::function<void(double)>& report)
 {
   constexpr bool isCounted = std::is_integral_v<Scalar>;
-  const SlabReader<Scalar> slabs(source, mostBytes);
+  const SlabReader<Scalar> slabs(source, options.mostSlabBytes, options.side);
   const Finite<Scalar> range =
     RangeOf(slabs, source.Fill(), [&](double part) { report(0.5 * part); });
-  VolumeSummary summary = UnfilledSummary(
-    source.Levels().front(), source.Type(), double(range.smallest), double(range.largest));
+  const ValueRange extremes{ double(range.smallest), double(range.largest) };
+  VolumeSummary summary =
+    UnfilledSummary(source.Levels().front(), source.Type(), extremes, options.side);
   summary.areFinite = range.all;
   if (!slabs.HaveAll())
   {
@@ -219,14 +228,13 @@ VolumeSummary SummaryOf(
     [&](const StoredSlab& slab, const std::vector<Scalar>& read)
     {
       const ScalarGrid<Scalar> grid(read.data(), slab.count);
-      const bool isOfNoCells = slab.count.z == 1 && slab.first.z > 0;
-      if (!isOfNoCells)
+      if (slab.HasCells())
       {
-        PutRanges(BuildBrickRanges(grid, double(range.smallest), double(range.largest)), slab,
+        PutRanges(BuildBrickRanges(grid, extremes.lower, extremes.upper, 0, options.side), slab,
           summary.ranges);
       }
       PutMeans(slab, grid, summary.coarse);
-      Count(slab, read, summary.counts, counting);
+      Count(slab, grid, summary.counts, counting);
     });
   if constexpr (isCounted)
   {
@@ -239,21 +247,22 @@ VolumeSummary SummaryOf(
 }
 
 VolumeSummary UnfilledSummary(
-  const BrickSource::Level& level, VoxelType type, double smallest, double largest)
+  const BrickSource::Level& level, VoxelType type, const ValueRange& extremes, int side)
 {
   VolumeSummary summary;
-  summary.smallest = smallest;
-  summary.largest = largest;
+  summary.smallest = extremes.lower;
+  summary.largest = extremes.upper;
+  summary.coarse.side = side;
   ByVoxelType(type,
     [&](auto voxel)
     {
       using Limits = std::numeric_limits<decltype(voxel)>;
       const glm::ivec3 cells = glm::max(VoxelCountOf(level) - 1, 1);
       summary.ranges = Limits::is_integer
-        ? BrickRanges(cells, double(Limits::lowest()), double(Limits::max()), true)
-        : BrickRanges(cells, smallest, largest, false);
+        ? BrickRanges(cells, double(Limits::lowest()), double(Limits::max()), true, side)
+        : BrickRanges(cells, extremes.lower, extremes.upper, false, side);
       summary.counts.resize(Limits::is_integer ? std::size_t(1) << (8 * sizeof(voxel)) : 0);
-      const glm::ivec3 means = VoxelCountOf(level) / CoarseLevel::Side;
+      const glm::ivec3 means = VoxelCountOf(level) / side;
       if (std::min({ means.x, means.y, means.z }) > 1)
       {
         summary.coarse.voxelCount = means;
@@ -269,7 +278,7 @@ bool AreZero(const BrickRanges& ranges, const BrickSource::Box& box)
   const glm::ivec3 count = ranges.BrickCount();
   // The last brick has the last voxel of its far faces too.
   const auto brickOf = [&](const std::array<std::int64_t, 3>& voxel)
-  { return glm::min(glm::ivec3(voxel[0], voxel[1], voxel[2]) / CellsOfBrick, count - 1); };
+  { return glm::min(glm::ivec3(voxel[0], voxel[1], voxel[2]) / ranges.Side(), count - 1); };
   const glm::ivec3 first = brickOf(box.lower);
   const glm::ivec3 last = brickOf({ box.upper[0] - 1, box.upper[1] - 1, box.upper[2] - 1 });
   const double zero = -ranges.FirstValue() / ranges.ValuePerStep();
@@ -290,12 +299,12 @@ bool AreZero(const BrickRanges& ranges, const BrickSource::Box& box)
   return true;
 }
 
-std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type)
+std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type, int side)
 {
   double bricks = 1.0; // the product of the numbers that a forged file states may be beyond 2^64
   for (const std::int64_t voxels : level.dimensions)
   {
-    bricks *= double((std::max<std::int64_t>(voxels - 1, 1) - 1) / CellsOfBrick + 1);
+    bricks *= double((std::max<std::int64_t>(voxels - 1, 1) - 1) / side + 1);
   }
   constexpr std::uint64_t BytesOfField = 3; // with the distances and what is visible
   const std::uint64_t bytesOfMean = ByVoxelType(type, [](auto voxel) { return sizeof(voxel); });
@@ -305,11 +314,22 @@ std::uint64_t BytesOfBricks(const BrickSource::Level& level, VoxelType type)
     std::min(bricks * double(BytesOfField + bytesOfRange + bytesOfMean), MostBytes));
 }
 
-VolumeSummary SummaryOf(
-  const BrickSource& source, std::uint64_t mostSlabBytes, const std::function<void(double)>& report)
+int SideOfBricks(const BrickSource::Level& level, VoxelType type, std::uint64_t mostBytes)
 {
-  return ByVoxelType(source.Type(),
-    [&](auto voxel) { return SummaryOf<decltype(voxel)>(source, mostSlabBytes, report); });
+  constexpr int Largest = 32; // a sum of so many voxels of 16 bits has 31 bits
+  int side = BrickRanges::CellsPerSide;
+  while (side < Largest && BytesOfBricks(level, type, side) > mostBytes)
+  {
+    side *= 2;
+  }
+  return side;
+}
+
+VolumeSummary SummaryOf(const BrickSource& source, const SummaryOptions& options,
+  const std::function<void(double)>& report)
+{
+  return ByVoxelType(
+    source.Type(), [&](auto voxel) { return SummaryOf<decltype(voxel)>(source, options, report); });
 }
 
 }

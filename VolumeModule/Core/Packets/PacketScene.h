@@ -218,14 +218,14 @@ struct PacketConstituent
   PacketDepths visible; ///< depths between which it may be visible
 };
 
-/// Blocks of a volume that are drawn by a coarser level: BlockLevels. The scenes of both levels
-/// have them.
+/// Blocks of a volume that are drawn by coarser levels: BlockLevels. The scenes of all levels have
+/// them.
 struct PacketLevels
 {
-  /// The level, a volume of the same type in a grid of its own; null: all blocks are drawn by
-  /// voxels.
-  const PacketScene* coarse;
-  const PacketScene* voxels;
+  /// The scene of the voxels, and those of the coarser levels, each a volume of the same type in a
+  /// grid of its own; null: all blocks are drawn by voxels.
+  const PacketScene* const* scenes;
+  int count;                  ///< number of the scenes
   glm::mat4 voxelGridFromOwn; ///< from the grid of the scene that has this
   const BlockLevel* ofBlocks; ///< see BlockLevels
   glm::ivec3 blockCount;

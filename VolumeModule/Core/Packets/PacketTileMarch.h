@@ -53,7 +53,7 @@ PacketSum MarchLeft(
   };
   const auto marchWhole = [&](const PacketRays& piece, const PacketSum& sum)
   {
-    return scene.levels.coarse ? MarchByLevels(scene, piece, sum, marchLevel)
+    return scene.levels.scenes ? MarchByLevels(scene, piece, sum, marchLevel)
                                : marchLevel(scene, piece, sum);
   };
   const auto march = [&](const PacketRays& piece, const PacketSum& sum)

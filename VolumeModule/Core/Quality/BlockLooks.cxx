@@ -24,16 +24,19 @@ LookBetween BothOf(const LookBetween& one, const LookBetween& other)
 
 // Few enough blocks that every ray crosses few, and that they take little memory, however thin the
 // volume is.
-BlockLevels BlocksOf(const glm::ivec3& bricks)
+BlockLevels BlocksOf(const BrickRanges& ranges)
 {
   constexpr double MostBlocks = 1 << 21;
+  const glm::ivec3 bricks = ranges.BrickCount();
   BlockLevels blocks;
   blocks.count = bricks;
+  int side = 1; // bricks
   while (double(blocks.count.x) * blocks.count.y * blocks.count.z > MostBlocks)
   {
-    ++blocks.side;
-    blocks.count = (bricks + blocks.side - 1) / blocks.side;
+    ++side;
+    blocks.count = (bricks + side - 1) / side;
   }
+  blocks.side = side * ranges.Side();
   return blocks;
 }
 
@@ -52,13 +55,13 @@ void ForEachRow(
   }
 }
 
-/// The range of the bricks of a block; not finite if that of one of them is not.
-BrickRanges::Steps StepsOf(const BrickRanges& ranges, const glm::ivec3& block, int side)
+/// The range of bricks, `first` to `last`; not finite if that of one of them is not.
+BrickRanges::Steps StepsOf(
+  const BrickRanges& ranges, const glm::ivec3& first, const glm::ivec3& last)
 {
-  const glm::ivec3 bricks = ranges.BrickCount();
   BrickRanges::Steps all{ 65535, 0 };
   bool areFinite = true;
-  ForEachRow(block * side, glm::min((block + 1) * side, bricks) - 1, bricks,
+  ForEachRow(first, last, ranges.BrickCount(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t brick = begin; brick < end; ++brick)
@@ -69,6 +72,22 @@ BrickRanges::Steps StepsOf(const BrickRanges& ranges, const glm::ivec3& block, i
       }
     });
   return areFinite ? all : BrickRanges::Steps{ 1, 0 };
+}
+
+/// The range of the values that a level has in a box of the volume's grid. Beyond its outermost
+/// voxels it has their values.
+BrickRanges::Steps StepsIn(
+  const MiddleLevel& level, const glm::dvec3& lower, const glm::dvec3& upper)
+{
+  constexpr double Rounding = 1e-6; // the range of a brick has the values at its faces
+  const BrickRanges& ranges = level.summary->ranges;
+  const double side = ranges.Side();
+  const auto inside = [&](const glm::dvec3& brick)
+  { return glm::clamp(glm::ivec3(brick), glm::ivec3(0), ranges.BrickCount() - 1); };
+  const auto placeIn = [&](const glm::dvec3& place)
+  { return (place - level.first) / (level.scale * side); };
+  return StepsOf(ranges, inside(glm::floor(placeIn(lower) + Rounding)),
+    inside(glm::ceil(placeIn(upper) - Rounding) - 1.0));
 }
 
 /// Extremes of the means between which the level of a block is interpolated: its own and those
@@ -136,50 +155,96 @@ BlockLooks::Entries BlockLooks::Around(const Entries& one, const Entries& other)
 }
 
 BlockLooks::BlockLooks(const VolumeSummary& summary, VoxelType type, const OpticalTable& table,
-  std::optional<double> brightest)
+  std::optional<double> brightest, const std::vector<MiddleLevel>& middle)
   : extremes(table.entries)
   , brightest(brightest)
-  , coarse(BlocksOf(summary.ranges.BrickCount()))
+  , coarse(BlocksOf(summary.ranges))
+  , levelCount(middle.size() + 2)
 {
-  constexpr double Middle = 0.5 * (CoarseLevel::Side - 1.0);
+  const double cube = summary.coarse.side;
   this->lastMeans =
-    glm::ivec3((double(CoarseLevel::Side) * glm::dvec3(summary.coarse.voxelCount - 1) + Middle) /
-      this->CellsPerSide());
+    glm::ivec3((cube * glm::dvec3(summary.coarse.voxelCount - 1) + 0.5 * (cube - 1.0)) /
+      double(this->coarse.side));
   const glm::ivec3 count = this->coarse.count;
-  this->coarse.ofBlocks.resize(std::size_t(count.x) * count.y * count.z);
-  this->blocks.resize(this->coarse.ofBlocks.size());
-  ByVoxelType(type, [&](auto voxel) { this->FindEntries<decltype(voxel)>(summary, table); });
+  const auto coarsest = BlockLevel(this->levelCount - 1);
+  this->coarse.ofBlocks.resize(std::size_t(count.x) * count.y * count.z, coarsest);
+  this->entries.resize(this->coarse.ofBlocks.size() * this->levelCount);
+  this->hasGaps.resize(this->coarse.ofBlocks.size());
+  ByVoxelType(
+    type, [&](auto voxel) { this->FindEntries<decltype(voxel)>(summary, table, middle); });
 }
 
-template <class Scalar>
-void BlockLooks::FindEntries(const VolumeSummary& summary, const OpticalTable& table)
+/// The entries of a table between values.
+class BlockLooks::EntriesBetween
 {
-  const double last = double(table.entries.size()) - 1.0;
-  const IndexInTable ofStep =
-    IndexOf(table, last, summary.ranges.ValuePerStep(), summary.ranges.FirstValue());
-  const IndexInTable ofValue = IndexOf(table, last);
-  const auto entries = [last](const IndexInTable& index, double smallest, double largest)
+public:
+  explicit EntriesBetween(const OpticalTable& table)
+    : table(table)
+    , last(double(table.entries.size()) - 1.0)
+  {
+  }
+
+  /// All entries for a range that is not finite.
+  Entries OfSteps(const BrickRanges& ranges, const BrickRanges::Steps& steps) const
+  {
+    const IndexInTable index =
+      IndexOf(this->table, this->last, ranges.ValuePerStep(), ranges.FirstValue());
+    return steps.IsFinite() ? this->Of(index, steps.smallest, steps.largest)
+                            : Entries{ 0, int(this->last) };
+  }
+
+  Entries OfValues(double smallest, double largest) const
+  {
+    return this->Of(IndexOf(this->table, this->last), smallest, largest);
+  }
+
+private:
+  Entries Of(const IndexInTable& index, double smallest, double largest) const
   {
     const auto at = [&](double number)
-    { return std::clamp(index.bias + number * index.scale, 0.0, last); };
-    return Entries{ int(std::floor(at(smallest))), int(std::ceil(at(largest))) };
-  };
+    { return std::clamp(index.bias + number * index.scale, 0.0, this->last); };
+    return { int(std::floor(at(smallest))), int(std::ceil(at(largest))) };
+  }
+
+  const OpticalTable& table;
+  double last;
+};
+
+template <class Scalar>
+void BlockLooks::FindEntries(
+  const VolumeSummary& summary, const OpticalTable& table, const std::vector<MiddleLevel>& middle)
+{
+  const EntriesBetween between(table);
   const glm::ivec3 count = this->coarse.count;
+  const int side = this->coarse.side / summary.ranges.Side(); // bricks, or means
+  const auto find = [&](const glm::ivec3& block)
+  {
+    const std::size_t place = this->coarse.PlaceOf(block);
+    Entries* const own = &this->entries[place * this->levelCount];
+    const BrickRanges::Steps ofVoxels = StepsOf(
+      summary.ranges, block * side, glm::min((block + 1) * side, summary.ranges.BrickCount()) - 1);
+    own[0] = between.OfSteps(summary.ranges, ofVoxels);
+    bool areFinite = ofVoxels.IsFinite();
+    for (std::size_t i = 0; i < middle.size(); ++i)
+    {
+      const glm::dvec3 lower(this->coarse.side * block);
+      const BrickRanges::Steps steps = StepsIn(middle[i], lower, lower + double(this->coarse.side));
+      areFinite = areFinite && steps.IsFinite();
+      own[i + 1] = Around(own[i], between.OfSteps(middle[i].summary->ranges, steps));
+    }
+    const MeansBetween means = MeansOf<Scalar>(summary.coarse, block, side);
+    const std::size_t last = this->levelCount - 1;
+    own[last] = means.least > means.most
+      ? own[last - 1]
+      : Around(own[last - 1], between.OfValues(means.least, means.most));
+    this->hasGaps[place] = areFinite && means.areFinite ? 0 : 1;
+  };
   tbb::parallel_for(0, count.y * count.z,
     [&](int row)
     {
       for (int x = 0; x < count.x; ++x)
       {
-        const glm::ivec3 place(x, row % count.y, row / count.y);
-        const BrickRanges::Steps steps = StepsOf(summary.ranges, place, this->coarse.side);
-        const MeansBetween means = MeansOf<Scalar>(summary.coarse, place, this->coarse.side);
-        Block& block = this->blocks[this->coarse.PlaceOf(place)];
-        block.hasGaps = !steps.IsFinite() || !means.areFinite;
-        block.voxels = steps.IsFinite() ? entries(ofStep, steps.smallest, steps.largest)
-                                        : Entries{ 0, int(last) };
-        block.both = means.least > means.most
-          ? block.voxels
-          : Around(block.voxels, entries(ofValue, means.least, means.most));
+        find({ x, row % count.y, row / count.y });
       }
     });
 }
@@ -190,7 +255,7 @@ BlockLevels BlockLooks::Begun() const
   for (std::size_t place = 0; place < levels.ofBlocks.size(); ++place)
   {
     levels.ofBlocks[place] =
-      this->OfVoxels(place).most.a > 0.0f ? BlockLevel::Coarse : BlockLevel::Nothing;
+      this->OfVoxels(place).most.a > 0.0f ? levels.ofBlocks[place] : BlockLevel::Nothing;
   }
   return levels;
 }
@@ -201,10 +266,10 @@ bool BlockLooks::LevelEndsIn(const glm::ivec3& block) const
     glm::any(glm::greaterThanEqual(block, this->lastMeans));
 }
 
-LookBetween BlockLooks::LookOf(const Entries& entries, bool hasGaps) const
+LookBetween BlockLooks::LookOf(const Entries& between, bool hasGap) const
 {
-  LookBetween look = this->extremes.Of(entries.first, entries.last);
-  look.least.a = hasGaps ? 0.0f : look.least.a;
+  LookBetween look = this->extremes.Of(between.first, between.last);
+  look.least.a = hasGap ? 0.0f : look.least.a;
   if (this->brightest)
   {
     look.least = { 0.0f, 0.0f, 0.0f, look.least.a };

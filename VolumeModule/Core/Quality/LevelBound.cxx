@@ -13,6 +13,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 namespace varimarch
 {
@@ -25,7 +27,7 @@ struct Segment
 {
   std::size_t place; ///< The place of the block in BlockLevels.
   double mm;
-  bool isOfVoxels;
+  BlockLevel level;
   double light; ///< a bound of what the levels of other blocks change in its colours
   LookBetween look;
   double leastOpacity;
@@ -59,8 +61,8 @@ std::vector<double> LightOf(const LevelBoundScene& scene, const BlockLevels& lev
 LookBetween LookOf(const LevelBoundScene& scene, const BlockLevels& levels, std::size_t place,
   const glm::ivec3& block)
 {
-  LookBetween look = levels.ofBlocks[place] == BlockLevel::Coarse ? scene.looks.OfBoth(place)
-                                                                  : scene.looks.OfVoxels(place);
+  const BlockLevel level = levels.ofBlocks[place];
+  LookBetween look = scene.looks.UpTo(IsCoarse(level) ? level : BlockLevel::Voxels, place);
   look.least.a = scene.endsEarlier && scene.looks.LevelEndsIn(block) ? 0.0f : look.least.a;
   return look;
 }
@@ -90,8 +92,8 @@ std::vector<Segment> SegmentsOf(const LevelBoundScene& scene, const BlockLevels&
       const double mm = (part.t.exit - part.t.enter) * mmPerT;
       if (look.most.a > 0.0f)
       {
-        segments.push_back({ place, mm, levels.ofBlocks[place] != BlockLevel::Coarse,
-          light.empty() ? 0.0 : light[place], {}, 0.0, 0.0, 0.0 });
+        segments.push_back({ place, mm, levels.ofBlocks[place], light.empty() ? 0.0 : light[place],
+          {}, 0.0, 0.0, 0.0 });
         Take(look, segments.back());
         leastDepth += mm * double(look.least.a);
       }
@@ -127,8 +129,8 @@ double Pass(Channel& channel, const Segment& segment, const ColorBetween& color)
 {
   const double leastColor = color.least;
   const double mostColor = color.most;
-  const double added = segment.isOfVoxels ? segment.mostOpacity * color.light
-                                          : MostAdded(channel, segment, leastColor, mostColor);
+  const double added = IsCoarse(segment.level) ? MostAdded(channel, segment, leastColor, mostColor)
+                                               : segment.mostOpacity * color.light;
   const double forLeast = leastColor < channel.least ? segment.mostOpacity : segment.leastOpacity;
   const double forMost = mostColor > channel.most ? segment.mostOpacity : segment.leastOpacity;
   channel.least += forLeast * (leastColor - channel.least);
@@ -180,50 +182,83 @@ double BoundOf(std::vector<Segment>& segments, BoundOn on)
   return std::min(bound, 1.0);
 }
 
-/// Marks for blocks.
-using Marks = std::vector<std::atomic<std::uint8_t>>;
-
 /// The findings of a round of refinement for blocks.
 struct Findings
 {
-  Marks taken; ///< 1 for blocks of which it takes voxels
-  Marks lit;   ///< 1 for blocks of voxels whose light counts and has to be more exact
+  /// A number for each block.
+  using Numbers = std::vector<std::atomic<std::uint8_t>>;
+
+  explicit Findings(const BlockLevels& levels)
+    : levels(levels.ofBlocks.size())
+    , lit(levels.ofBlocks.size())
+  {
+    for (std::size_t place = 0; place < levels.ofBlocks.size(); ++place)
+    {
+      this->levels[place] = std::uint8_t(levels.ofBlocks[place]);
+    }
+  }
+
+  /// Asks for a level of a block that is at least as fine.
+  void Ask(std::size_t place, BlockLevel level)
+  {
+    std::atomic<std::uint8_t>& asked = this->levels[place];
+    std::uint8_t now = asked.load(std::memory_order_relaxed);
+    while (now > std::uint8_t(level) &&
+      !asked.compare_exchange_weak(now, std::uint8_t(level), std::memory_order_relaxed))
+    {
+    }
+  }
+
+  void MarkLit(std::size_t place) { this->lit[place].store(1, std::memory_order_relaxed); }
+
+  Numbers levels; ///< the coarsest BlockLevel that serves
+  Numbers lit;    ///< 1 for blocks of voxels whose light counts and has to be more exact
 };
 
-void Mark(Marks& marks, std::size_t place)
+/// The contributions of the segments of a ray that may have a finer level, the largest first.
+std::vector<std::pair<double, std::size_t>> ContributionsOf(const std::vector<Segment>& segments)
 {
-  marks[place].store(1, std::memory_order_relaxed);
+  std::vector<std::pair<double, std::size_t>> contributions;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (IsCoarse(segments[i].level))
+    {
+      contributions.emplace_back(segments[i].contribution, i);
+    }
+  }
+  std::sort(contributions.begin(), contributions.end(), std::greater<>());
+  return contributions;
 }
 
-/// Takes voxels for segments of a ray, those first that contribute most, until the bound on their
-/// looks is at most the tolerance.
+/// Takes the next finer levels for segments of a ray, those first that contribute most, until the
+/// bound on their looks is at most the tolerance.
 void RefineLooks(
-  const BlockLooks& looks, double tolerance, std::vector<Segment>& segments, Marks& taken)
+  const BlockLooks& looks, double tolerance, std::vector<Segment>& segments, Findings& findings)
 {
+  // Rounding may make a bound a little more than the sum of the contributions, so that each turn
+  // takes one segment at least.
   double bound = BoundOf(segments, BoundOn::Looks);
-  std::vector<std::pair<double, std::size_t>> order;
-  double left = 0.0;
-  for (std::size_t i = 0; i < segments.size() && bound > tolerance; ++i)
+  auto contributions = ContributionsOf(segments);
+  while (bound > tolerance && !contributions.empty())
   {
-    order.emplace_back(-segments[i].contribution, i);
-    left += segments[i].contribution;
-  }
-  std::sort(order.begin(), order.end());
-  // The bound is at most the sum of what is left, and often less. Rounding may make it a little
-  // more, so that each turn takes one segment at least.
-  for (auto next = order.begin(); next != order.end() && bound > tolerance;)
-  {
+    double left = 0.0;
+    for (const auto& contribution : contributions)
+    {
+      left += contribution.first;
+    }
     const double goal = std::max(tolerance, 0.5 * left);
+    auto next = contributions.begin();
     do
     {
       Segment& segment = segments[next->second];
-      left += next->first;
-      segment.isOfVoxels = true;
-      Take(looks.OfVoxels(segment.place), segment);
-      Mark(taken, segment.place);
+      left -= next->first;
+      segment.level = FinerThan(segment.level);
+      Take(looks.UpTo(segment.level, segment.place), segment);
+      findings.Ask(segment.place, segment.level);
       ++next;
-    } while (next != order.end() && left > goal);
+    } while (next != contributions.end() && left > goal);
     bound = BoundOf(segments, BoundOn::Looks);
+    contributions = ContributionsOf(segments);
   }
 }
 
@@ -233,15 +268,15 @@ double RefineRay(const LevelBoundScene& scene, double tolerance, std::vector<Seg
   Findings& findings)
 {
   const bool isLit = !scene.lights.empty();
-  RefineLooks(scene.looks, isLit ? LookShare * tolerance : tolerance, segments, findings.taken);
+  RefineLooks(scene.looks, isLit ? LookShare * tolerance : tolerance, segments, findings);
   const double bound = BoundOf(segments, BoundOn::All);
   const double least =
     (1.0 - LookShare - LightShare) * tolerance / double(std::max<std::size_t>(segments.size(), 1));
   for (const Segment& segment : segments)
   {
-    if (isLit && bound > tolerance && segment.isOfVoxels && segment.contribution > least)
+    if (isLit && bound > tolerance && !IsCoarse(segment.level) && segment.contribution > least)
     {
-      Mark(findings.lit, segment.place);
+      findings.MarkLit(segment.place);
     }
   }
   return bound;
@@ -262,24 +297,24 @@ void ForEachPixel(const glm::ivec2& pixels, int firstRow, int endRow, Visit visi
     });
 }
 
-/// Takes voxels for blocks of the coarse level that are marked.
-/// @return their number
-std::size_t TakeMarked(const Marks& taken, BlockLevels& levels)
+/// Takes the levels that were asked for.
+/// @return the number of blocks whose level is new
+std::size_t TakeAsked(const Findings& findings, BlockLevels& levels)
 {
   std::size_t count = 0;
-  for (std::size_t place = 0; place < taken.size(); ++place)
+  for (std::size_t place = 0; place < levels.ofBlocks.size(); ++place)
   {
-    const bool isNew = levels.ofBlocks[place] == BlockLevel::Coarse && taken[place] != 0;
-    levels.ofBlocks[place] = isNew ? BlockLevel::Voxels : levels.ofBlocks[place];
-    count += isNew ? 1 : 0;
+    const auto asked = BlockLevel(findings.levels[place].load());
+    count += asked != levels.ofBlocks[place] ? 1 : 0;
+    levels.ofBlocks[place] = asked;
   }
   return count;
 }
 
-/// Takes voxels for what lies between marked blocks and lights. Where several blocks of a ray share
-/// its tolerance, their light has to be more exact than LightShare alone says.
-void RefineLightOf(
-  const LevelBoundScene& scene, const RefinementRound& round, const Marks& lit, BlockLevels& levels)
+/// Takes finer levels for what lies between marked blocks and lights. Where several blocks of a ray
+/// share its tolerance, their light has to be more exact than LightShare alone says.
+void RefineLightOf(const LevelBoundScene& scene, const RefinementRound& round,
+  const Findings::Numbers& lit, BlockLevels& levels)
 {
   constexpr double LeastShare = 1e-6;
   const std::vector<std::uint8_t> isLit(lit.begin(), lit.end());
@@ -297,7 +332,7 @@ void RefineLightOf(
 void UpdateBounds(const LevelBoundScene& scene, const BlockLevels& levels, double tolerance,
   std::vector<double>& bounds)
 {
-  // Looks of the coarse level allow for any light.
+  // Looks of coarser levels allow for any light.
   const bool hasVoxels = std::find(levels.ofBlocks.begin(), levels.ofBlocks.end(),
                            BlockLevel::Voxels) != levels.ofBlocks.end();
   const std::vector<double> light =
@@ -323,12 +358,12 @@ std::vector<double> LevelBounds(const LevelBoundScene& scene, const BlockLevels&
 }
 
 // All rays of some rows see the levels that there were before, so that the result does not depend
-// on their order. More voxels never make a bound larger.
+// on their order. Finer levels never make a bound larger.
 void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLevels& levels,
   std::vector<double>& bounds)
 {
   constexpr int RowsAtOnce = 16;
-  Findings findings{ Marks(levels.ofBlocks.size()), Marks(levels.ofBlocks.size()) };
+  Findings findings(levels);
   const std::vector<double> light = LightOf(scene, levels);
   std::size_t count = 0;
   for (int row = 0; row < scene.pixels.y && count < round.mostBlocks; row += RowsAtOnce)
@@ -342,7 +377,7 @@ void Refine(const LevelBoundScene& scene, const RefinementRound& round, BlockLev
           bounds[pixel] = RefineRay(scene, round.tolerance, segments, findings);
         }
       });
-    count += TakeMarked(findings.taken, levels);
+    count += TakeAsked(findings, levels);
   }
   if (!scene.lights.empty() && count < round.mostBlocks)
   {

@@ -15,7 +15,7 @@
 namespace varimarch
 {
 
-/// A composite of which blocks of bricks are drawn from a coarser level instead of the voxels.
+/// A composite of which blocks of bricks are drawn from coarser levels instead of the voxels.
 struct LevelBoundScene
 {
   const BlockLooks& looks;
@@ -23,7 +23,7 @@ struct LevelBoundScene
   glm::ivec2 pixels;
   glm::dmat3 worldFromGrid;
   Box boxGrid; ///< The box of the volume, outside of which rays meet nothing.
-  /// True if the level ends at its outermost means, before the faces of the volume.
+  /// True if the coarsest level ends at its outermost means, before the faces of the volume.
   bool endsEarlier;
   /// The lights that cast shadows, with the part that surfaces lack; none without shadows.
   std::vector<LevelLight> lights = {};
@@ -50,7 +50,7 @@ struct RefinementRound
   std::size_t mostBlocks = std::numeric_limits<std::size_t>::max();
 };
 
-/// Takes voxels for those blocks of the coarse level that contribute most to the bounds, until none
+/// Takes the next finer levels for those blocks that contribute most to the bounds, until none
 /// exceeds the tolerance, and for blocks towards lights that these need. Others stay coarse: those
 /// that are clear, of one material, or hidden.
 /// @param bounds  those of all pixels, as far as they are known, or 1; receives those of the new

@@ -19,19 +19,13 @@ namespace
 
 Matter MatterOf(const BlockLooks& looks, const BlockLevels& levels, std::size_t place)
 {
-  switch (levels.ofBlocks[place])
+  const BlockLevel level = levels.ofBlocks[place];
+  if (level == BlockLevel::Nothing)
   {
-    case BlockLevel::Coarse:
-    {
-      const LookBetween look = looks.OfBoth(place);
-      return { look.least.a, look.most.a - look.least.a };
-    }
-    case BlockLevel::Voxels:
-      return { looks.OfVoxels(place).least.a, 0.0f };
-    case BlockLevel::Nothing:
-      break;
+    return {};
   }
-  return {};
+  const LookBetween look = looks.UpTo(level, place);
+  return { look.least.a, IsCoarse(level) ? look.most.a - look.least.a : 0.0f };
 }
 
 /// The matter of all blocks.
@@ -150,7 +144,7 @@ std::vector<Number> LargestAround(const BlockLevels& levels, std::vector<Number>
   return numbers;
 }
 
-/// Takes voxels for blocks between other blocks and a light.
+/// Takes finer levels for blocks between other blocks and a light.
 class ColumnRefinement
 {
 public:
@@ -213,7 +207,7 @@ private:
     return changes;
   }
 
-  // Takes voxels for what changes the light of a slab most; false if there is nothing to take.
+  // Takes finer levels for what changes the light of a slab most; false if there are none.
   bool TakeBehind(int slab, const glm::ivec2& column, double tolerance)
   {
     const std::vector<Change> changes = this->ChangesFrom(slab, column);
@@ -235,7 +229,7 @@ private:
   {
     if (this->matters[place].change > 0.0f)
     {
-      this->levels.ofBlocks[place] = BlockLevel::Voxels;
+      this->levels.ofBlocks[place] = FinerThan(this->levels.ofBlocks[place]);
       this->matters[place] = MatterOf(this->looks, this->levels, place);
       ++this->taken;
     }

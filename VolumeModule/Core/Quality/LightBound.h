@@ -29,8 +29,8 @@ struct LevelLight
 std::vector<double> LightBounds(
   const BlockLooks& looks, const BlockLevels& levels, const std::vector<LevelLight>& lights);
 
-/// Takes voxels for blocks of the coarse level that lie between some blocks and lights, those first
-/// that change most, until the bounds of these blocks are at most the tolerance.
+/// Takes finer levels for blocks that lie between some blocks and lights, those first that change
+/// most, until the bounds of these blocks are at most the tolerance.
 /// @param isLit       not 0 for the blocks whose light counts
 /// @param mostBlocks  number of taken blocks after which the others wait for a further call
 /// @return the number of taken blocks

@@ -1,7 +1,5 @@
 #include "March/Processor/PacketScenes.h"
 
-#include "Core/Fields/BrickRanges.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -43,23 +41,34 @@ PacketScenes::PacketScenes(const VolumeMarch& march, SceneResources& resources,
   }
 }
 
-// Rays are bounded by the parts of the voxels that are visible, not by those of the level.
+// Rays are bounded by the parts of the voxels that are visible, not by those of the levels.
 void PacketScenes::AddCoarser(
   const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
 {
-  const VolumeMarch level = MarchOfCoarser(march.frame, march.plan);
-  PacketSurroundings around = SurroundingsOfOther(level.frame, resources.Coarser());
-  around.textures.noiseTexture = this->first.around.textures.noiseTexture;
-  around.textures.casterTree = this->first.around.textures.casterTree;
-  this->coarser.emplace(level, resources.Coarser(), std::move(around), pixels);
-  PacketScene& scene = this->coarser->scene;
-  scene.depths = {};
-  scene.parameters.ownGridFromRays = GridFromGrid(level.frame.geometry, march.frame.geometry);
-  const BlockLevels& levels = *march.frame.blockLevels;
-  this->first.scene.levels = { &scene, &this->first.scene, glm::mat4(1.0f), levels.ofBlocks.data(),
-    levels.count, float(levels.side * BrickRanges::CellsPerSide) };
-  scene.levels = this->first.scene.levels;
-  scene.levels.voxelGridFromOwn = GridFromGrid(march.frame.geometry, level.frame.geometry);
+  this->levels = { &this->first.scene };
+  for (std::size_t i = 0; i < march.frame.coarser.size(); ++i)
+  {
+    const VolumeMarch level = MarchOfCoarser(march.frame, march.plan, i);
+    VolumeResources& volume = resources.Coarser(i);
+    PacketSurroundings around = SurroundingsOfOther(level.frame, volume);
+    around.textures.noiseTexture = this->first.around.textures.noiseTexture;
+    around.textures.casterTree = this->first.around.textures.casterTree;
+    PacketScene& scene = this->coarser.emplace_back(level, volume, std::move(around), pixels).scene;
+    scene.depths = {};
+    scene.parameters.ownGridFromRays = GridFromGrid(level.frame.geometry, march.frame.geometry);
+    scene.levels.voxelGridFromOwn = GridFromGrid(march.frame.geometry, level.frame.geometry);
+    this->levels.push_back(&scene);
+  }
+  const BlockLevels& blocks = *march.frame.blockLevels;
+  const PacketLevels all = { this->levels.data(), int(this->levels.size()), glm::mat4(1.0f),
+    blocks.ofBlocks.data(), blocks.count, float(blocks.side) };
+  this->first.scene.levels = all;
+  for (SceneOfVolume& level : this->coarser)
+  {
+    const glm::mat4 voxelGridFromOwn = level.scene.levels.voxelGridFromOwn;
+    level.scene.levels = all;
+    level.scene.levels.voxelGridFromOwn = voxelGridFromOwn;
+  }
 }
 
 void PacketScenes::Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)

@@ -4,7 +4,7 @@
 #include "March/Processor/PacketSceneBuilder.h"
 #include "Resources/SceneResources.h"
 
-#include <optional>
+#include <deque>
 #include <vector>
 
 namespace varimarch
@@ -12,7 +12,7 @@ namespace varimarch
 
 /// The scene that packets march for a frame: a single volume, or a mixture of several components
 /// and volumes along rays in the grid of the first volume. Some blocks of a single volume may be
-/// drawn by its coarse level. The parts point to each other.
+/// drawn by its coarser levels. The parts point to each other.
 class PacketScenes
 {
 public:
@@ -32,9 +32,10 @@ private:
   void AddCoarser(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels);
 
   SceneOfVolume first;
-  std::optional<SceneOfVolume> coarser; ///< The coarse level.
-  std::vector<SceneOfVolume> others;    ///< The other volumes.
-  std::vector<PacketScene> mixed;       ///< The parts of the mixture after the first.
+  std::deque<SceneOfVolume> coarser;      ///< The coarser levels.
+  std::vector<const PacketScene*> levels; ///< The scenes of all levels.
+  std::vector<SceneOfVolume> others;      ///< The other volumes.
+  std::vector<PacketScene> mixed;         ///< The parts of the mixture after the first.
 };
 
 }

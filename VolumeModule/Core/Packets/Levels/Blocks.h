@@ -1,12 +1,10 @@
 #ifndef Varimarch_Core_Packets_Levels_Blocks_h
 #define Varimarch_Core_Packets_Levels_Blocks_h
 
-// Rays through blocks some of which are drawn by their voxels, and others by a coarser level.
+// Rays through blocks some of which are drawn by their voxels, and others by coarser levels.
 
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketPieces.h"
-
-#include <utility>
 
 namespace varimarch
 {
@@ -57,7 +55,7 @@ private:
 };
 
 /// The rays of a level, and no length of others.
-inline PacketRays OfLevel(const PacketRays& piece, BlockLevel level)
+inline PacketRays OfLevel(const PacketRays& piece, int level)
 {
   PacketRays own = piece;
   own.exit = Select(piece.region == std::int32_t(level), piece.exit, piece.enter);
@@ -71,14 +69,12 @@ template <class March>
 PacketSum MarchByLevels(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before, March march)
 {
-  const std::pair<BlockLevel, const PacketScene&> drawn[] = {
-    { BlockLevel::Coarse, *scene.levels.coarse }, { BlockLevel::Voxels, scene }
-  };
   return MarchPieces<LevelPieces>(scene, rays, before,
     [&](const PacketRays& piece, PacketSum sum)
     {
-      for (const auto& [level, own] : drawn)
+      for (int level = 0; level < scene.levels.count; ++level)
       {
+        const PacketScene& own = *scene.levels.scenes[level];
         const PacketRays ofLevel = OfLevel(piece, level);
         if (Any(LaneMask(ofLevel.enter < ofLevel.exit)))
         {
