@@ -202,18 +202,20 @@ public:
   ///@{
   /**
    * Level by which a volume that vtkVolumeFileReader has left in its file is drawn: its voxels, or
-   * the means of cubes of 4 x 4 x 4 voxels, which are in memory. AutomaticLevel takes the means
-   * during interaction (see MinimumImageSampleDistance) and, with LongestPartSeconds, for the first
-   * image of a scene, which is there at once. Volumes in memory, overlapping ones, and those with a
-   * mask or blanked voxels are always drawn, and all are picked, by their voxels.
+   * the means of cubes of 4 x 4 x 4 voxels (of more in very large volumes), which are in memory.
+   * AutomaticLevel takes the means during interaction (see MinimumImageSampleDistance) and, with
+   * LongestPartSeconds, for the first image of a scene, which is there at once. Volumes in memory,
+   * overlapping ones, and those with a mask or blanked voxels are always drawn, and all are picked,
+   * by their voxels.
    *
    * RefinedLevel begins with the means, and then knows their error. Each further image of the same
-   * scene takes voxels where the means may change it most, as many as are read soon, until
-   * GetLevelErrorBound() is at most half of the ErrorTolerance (of 1/64 if there is none), whose
-   * other half is for everything else. Voxels that no pixel needs are never read: clear ones, those
-   * of one material, and hidden ones. Shadows of lights from infinity count; then voxels between
-   * what is seen and a light are read too, where they may change it. Images whose error cannot be
-   * bounded so are drawn by voxels. Default: AutomaticLevel.
+   * scene takes the levels of the file between the means and the voxels, and voxels, where the
+   * means may change it most, as many as are read soon, until GetLevelErrorBound() is at most half
+   * of the ErrorTolerance (of 1/64 if there is none), whose other half is for everything else.
+   * Voxels that no pixel needs are never read: clear ones, those of one material, and hidden ones.
+   * Shadows and ambient occlusion count; then voxels between what is seen and a light are read too,
+   * where they may change it. Shadows of soft lamps near the volume do not. Images whose error
+   * cannot be bounded so are drawn by voxels. Default: AutomaticLevel.
    */
   enum
   {

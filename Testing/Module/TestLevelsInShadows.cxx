@@ -5,10 +5,13 @@
 #include "Module/UsualSettings.h"
 
 #include <vtkCamera.h>
+#include <vtkInformation.h>
+#include <vtkInformationDoubleKey.h>
 #include <vtkLight.h>
 #include <vtkRenderer.h>
 #include <vtkVolumeProperty.h>
 
+#include <functional>
 #include <vector>
 
 namespace
@@ -84,12 +87,68 @@ TEST_F(RefinedLevels, TakeVoxelsOfWhatIsBetweenThemAndALight)
   EXPECT_LT(inShadow, scene.mapper->GetVisibleBlocks()) << "not everything is read";
 }
 
-TEST_F(RefinedLevels, WithShadowsOfLampsAreVoxels)
+// Draws refined levels, and compares them with the voxels and with an image without the light that
+// matter keeps.
+void ExpectLevelsWithinTheTolerance(
+  MapperScene& scene, const std::function<void()>& leaveOut, double leastEffect)
+{
+  constexpr double Tolerance = 1.0 / 16.0;
+  scene.mapper->SetErrorTolerance(1.0 / 128.0);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::VoxelLevel);
+  const std::vector<float> voxels = scene.Draw();
+  scene.mapper->SetErrorTolerance(Tolerance);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+  scene.Draw();
+  std::vector<float> refined;
+  for (int i = 0; i < 50 && scene.mapper->GetDrawnPart() < 1.0; ++i)
+  {
+    refined = scene.Draw();
+    EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::RefinedLevel);
+    EXPECT_LE(LargestDifference(refined, voxels),
+      scene.mapper->GetLevelErrorBound() + 0.5 * Tolerance + 1.0 / 128.0)
+      << i;
+  }
+  EXPECT_LE(scene.mapper->GetLevelErrorBound(), 0.5 * Tolerance);
+  EXPECT_LE(LargestDifference(refined, voxels), Tolerance);
+  leaveOut();
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::VoxelLevel);
+  EXPECT_GT(LargestDifference(scene.Draw(), voxels), leastEffect);
+}
+
+vtkLight* UseLamp(MapperScene& scene)
+{
+  UseShadows(scene);
+  scene.renderer->RemoveAllLights();
+  vtkLight* const lamp =
+    AddLight(scene.renderer, { 80.0, 50.0, 40.0 }, glm::dvec3(32.0, 32.0, 32.0));
+  lamp->PositionalOn();
+  return lamp;
+}
+
+TEST_F(RefinedLevels, InShadowsOfALampNearTheVolumeLookLikeVoxelsWithinTheTolerance)
 {
   MapperScene scene(this->ReadVoxels(Waves), 32);
   UseFog(scene, 0.0, 0.03);
-  UseShadows(scene);
-  AddLight(scene.renderer, { 0.0, 0.0, 100.0 }, glm::dvec3(0.0))->PositionalOn();
+  UseLamp(scene);
+  ExpectLevelsWithinTheTolerance(
+    scene, [&] { scene.mapper->ShadowsOff(); }, 0.1);
+}
+
+TEST_F(RefinedLevels, UnderAmbientOcclusionLookLikeVoxelsWithinTheTolerance)
+{
+  MapperScene scene(this->ReadVoxels(Waves), 32);
+  UseFog(scene, 0.0, 0.1);
+  scene.mapper->SetAmbientOcclusion(1.0);
+  scene.mapper->SetAmbientOcclusionReach(12.0);
+  ExpectLevelsWithinTheTolerance(
+    scene, [&] { scene.mapper->SetAmbientOcclusion(0.0); }, 0.05);
+}
+
+TEST_F(RefinedLevels, InShadowsOfASoftLampAreVoxels)
+{
+  MapperScene scene(this->ReadVoxels(Waves), 32);
+  UseFog(scene, 0.0, 0.03);
+  UseLamp(scene)->GetInformation()->Set(vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), 10.0);
   scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetUsedLevelOfDetail(), vtkVariationFieldVolumeMapper::VoxelLevel);

@@ -33,9 +33,9 @@ double LevelTolerance(const Frame& frame)
 }
 
 // True if blocks may have different levels: what their voxels look like depends on no other block.
-bool CanBeRefined(const LevelInputs& inputs, const Frame& frame)
+bool CanBeRefined(const LevelInputs& inputs)
 {
-  return inputs.summary->areFinite && !inputs.hasShadowsOfLamps && !frame.settings.occlusion;
+  return inputs.summary->areFinite && !inputs.hasSoftLamps;
 }
 
 // True while a scene whose voxels are drawn in parts is still shown by its coarse level: parts of
@@ -186,7 +186,7 @@ std::optional<Frame> LevelOfDetail::FrameInstead(
   const std::optional<LevelInputs> inputs = LevelInputsOf(known, this->middle, frame);
   if (level == vtkVariationFieldVolumeMapper::RefinedLevel)
   {
-    if (!inputs || !CanBeRefined(*inputs, frame))
+    if (!inputs || !CanBeRefined(*inputs))
     {
       return std::nullopt;
     }

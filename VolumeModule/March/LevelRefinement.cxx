@@ -1,6 +1,7 @@
 #include "March/LevelRefinement.h"
 
 #include "Core/Geometry/LightCone.h"
+#include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Look/OpticalTable.h"
 #include "Core/Packets/PacketScene.h"
 #include "Frame/Lights.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace varimarch
@@ -74,42 +76,90 @@ std::optional<double> BrightestOf(const Frame& frame)
   return frame.settings.occlusion ? std::optional<double>(1.0) : std::nullopt;
 }
 
-int ShadowedDistantCount(const Frame& frame, const LightTexels& lamps)
+int ShadowedCount(const Frame& frame, const LightTexels& lamps)
 {
-  return frame.settings.shadows ? std::min(lamps.distantCount, MostShadowedLights) : 0;
+  return frame.settings.shadows ? std::min(lamps.distantCount + lamps.nearCount, MostShadowedLights)
+                                : 0;
 }
 
-// The lights from infinity that cast shadows, those with a cone as all of its directions.
-std::vector<LevelLight> ShadowedLightsOf(const Frame& frame)
+glm::vec4* TexelsOf(LightTexels& lamps, int lamp)
 {
-  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  return &lamps.texels[std::size_t(lamp) * LightTexels::PerLight];
+}
+
+// A light from infinity that casts shadows, one with a cone as all of its directions.
+void AddDistant(const Frame& frame, const glm::vec4* texels, std::vector<LevelLight>& lights)
+{
   const glm::dvec4 reflectance = ReflectanceOf(frame.material.property, 0);
   const glm::dmat3 gridFromWorld = glm::inverse(frame.geometry.WorldFromGridDirection());
-  std::vector<LevelLight> lights;
-  for (int lamp = 0; lamp < ShadowedDistantCount(frame, lamps); ++lamp)
+  const glm::dvec3 towards(texels[0]);
+  const double strength = frame.material.surfacesInShadow * LitBy(reflectance, texels);
+  const double coneHeight = texels[0].w;
+  if (coneHeight == 0.0 && strength > 0.0)
   {
-    const glm::vec4* const texel = &lamps.texels[std::size_t(lamp) * LightTexels::PerLight];
-    const glm::dvec3 towards(texel[0]);
-    const double strength = frame.material.surfacesInShadow * LitBy(reflectance, texel);
-    const double coneHeight = texel[0].w;
-    if (coneHeight == 0.0 && strength > 0.0)
-    {
-      lights.push_back({ gridFromWorld * towards, strength });
-    }
-    for (int i = 0; i < ConeDirections && coneHeight > 0.0 && strength > 0.0; ++i)
-    {
-      const WeightedDirection one =
-        DirectionsInCone(towards, std::acos(1.0 - coneHeight))[std::size_t(i)];
-      lights.push_back({ gridFromWorld * one.direction, one.weight * strength });
-    }
+    lights.push_back({ gridFromWorld * towards, strength });
+  }
+  for (int i = 0; i < ConeDirections && coneHeight > 0.0 && strength > 0.0; ++i)
+  {
+    const WeightedDirection one =
+      DirectionsInCone(towards, std::acos(1.0 - coneHeight))[std::size_t(i)];
+    lights.push_back({ gridFromWorld * one.direction, one.weight * strength });
+  }
+}
+
+// A lamp near the volume that casts sharp shadows, where it is brightest.
+void AddNear(const Frame& frame, const glm::vec4* texels, std::vector<LevelLight>& lights)
+{
+  const glm::dvec4 reflectance = ReflectanceOf(frame.material.property, 0);
+  const double strength =
+    frame.material.surfacesInShadow * LitBy(reflectance, texels) / double(texels[3].x);
+  const glm::dmat4 worldFromGrid(frame.geometry.worldFromGrid);
+  const glm::dvec4 place = glm::inverse(worldFromGrid) * glm::dvec4(glm::dvec3(texels[0]), 1.0);
+  if (strength > 0.0)
+  {
+    lights.push_back({ glm::dvec3(0.0), strength, std::numeric_limits<double>::infinity(),
+      LampPlace{ glm::dvec3(place), glm::dmat3(worldFromGrid) } });
+  }
+}
+
+// The directions of ambient occlusion, which darkens all that a place shows.
+void AddSky(const Frame& frame, double brightest, std::vector<LevelLight>& lights)
+{
+  const glm::dmat3 gridFromWorld = glm::inverse(frame.geometry.WorldFromGridDirection());
+  const double reachMm = std::min(frame.material.occlusionReachMm, frame.geometry.DiagonalMm());
+  for (const WeightedDirection& one : SphereQuadrature())
+  {
+    lights.push_back({ gridFromWorld * one.direction,
+      one.weight * frame.material.occlusion * brightest, reachMm });
+  }
+}
+
+// Everything that matter may keep from a place.
+std::vector<LevelLight> DimmedLightsOf(const Frame& frame, double brightest)
+{
+  LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  std::vector<LevelLight> lights;
+  for (int lamp = 0; lamp < ShadowedCount(frame, lamps); ++lamp)
+  {
+    lamp < lamps.distantCount ? AddDistant(frame, TexelsOf(lamps, lamp), lights)
+                              : AddNear(frame, TexelsOf(lamps, lamp), lights);
+  }
+  if (frame.settings.occlusion && frame.material.occlusion > 0.0)
+  {
+    AddSky(frame, brightest, lights);
   }
   return lights;
 }
 
-bool HasShadowsOfLamps(const Frame& frame)
+bool HasSoftLamps(const Frame& frame)
 {
-  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
-  return frame.settings.shadows && lamps.nearCount > 0 && lamps.distantCount < MostShadowedLights;
+  LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  bool isSoft = false;
+  for (int lamp = lamps.distantCount; lamp < ShadowedCount(frame, lamps); ++lamp)
+  {
+    isSoft = isSoft || TexelsOf(lamps, lamp)->w > 0.0f;
+  }
+  return isSoft;
 }
 
 double LargestOf(const std::vector<double>& bounds)
@@ -157,7 +207,8 @@ std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSumma
     Focused(all, all, look.ChangingValues()).resolved, frame.fingerprint,
     ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),
-    frame.geometry.boxGrid, brightest, ShadowedLightsOf(frame), HasShadowsOfLamps(frame) };
+    frame.geometry.boxGrid, brightest, DimmedLightsOf(frame, brightest.value_or(1.0)),
+    HasSoftLamps(frame) };
 }
 
 double BoundOfLevelAlone(const LevelInputs& inputs)

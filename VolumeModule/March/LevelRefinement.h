@@ -29,8 +29,8 @@ struct LevelInputs
   glm::dmat3 worldFromGrid;
   Box boxGrid;
   std::optional<double> brightest; ///< See BlockLooks.
-  std::vector<LevelLight> lights;  ///< The lights from infinity that cast shadows.
-  bool hasShadowsOfLamps;          ///< True if lights at places of the world cast shadows.
+  std::vector<LevelLight> lights;  ///< Everything that matter may keep from a place.
+  bool hasSoftLamps;               ///< True if soft lamps near the volume cast shadows.
 
   BlockLooks Looks() const;
   bool HasLooksOf(const LevelInputs& other) const

@@ -168,8 +168,9 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   }
   this->sky.stepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * voxelMm);
   this->sky.mostDepth = float(-std::log(error));
+  // Light through blocks of other levels is other light.
   if (march.plan.marcher == Marcher::Device || !march.frame.settings.occlusion ||
-    march.plan.budget.LightError() < SkyCellError)
+    march.plan.budget.LightError() < SkyCellError || march.frame.blockLevels)
   {
     return;
   }

@@ -1,5 +1,6 @@
 #include "Core/Quality/LightBound.h"
 
+#include "Core/Quality/LightPaths.h"
 #include "Core/Quality/LightSlabs.h"
 
 #include <glm/common.hpp>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
 #include <utility>
 
 namespace varimarch
@@ -242,6 +244,86 @@ private:
   std::size_t taken = 0;
 };
 
+/// The blocks that are drawn by voxels, and those around them: 1, and 0 for others.
+std::vector<std::uint8_t> VoxelsAndAround(const BlockLevels& levels)
+{
+  std::vector<std::uint8_t> marks(levels.ofBlocks.size());
+  std::transform(levels.ofBlocks.begin(), levels.ofBlocks.end(), marks.begin(),
+    [](BlockLevel level) { return std::uint8_t(level == BlockLevel::Voxels ? 1 : 0); });
+  return LargestAround(levels, std::move(marks));
+}
+
+/// Calls visit(block, place) for blocks that are marked, on all cores.
+template <class Visit>
+void ForEachMarked(const BlockLevels& levels, const std::vector<std::uint8_t>& marks, Visit visit)
+{
+  tbb::parallel_for(0, levels.count.y * levels.count.z,
+    [&](int row)
+    {
+      for (int x = 0; x < levels.count.x; ++x)
+      {
+        const glm::ivec3 block(x, row % levels.count.y, row / levels.count.y);
+        const std::size_t place = levels.PlaceOf(block);
+        if (marks[place] != 0)
+        {
+          visit(block, place);
+        }
+      }
+    });
+}
+
+/// Takes finer levels for blocks that are between marked ones and a light without columns.
+class PathRefinement
+{
+public:
+  PathRefinement(const BlockLooks& looks, BlockLevels& levels, std::vector<Matter>& matters)
+    : looks(looks)
+    , levels(levels)
+    , matters(matters)
+  {
+  }
+
+  /// @return the number of blocks with a finer level
+  std::size_t Refine(
+    const LevelLight& light, const std::vector<std::uint8_t>& marks, double tolerance)
+  {
+    const LightPaths paths(this->levels, this->matters, light);
+    std::mutex mutex;
+    std::vector<std::size_t> found;
+    ForEachMarked(this->levels, marks,
+      [&](const glm::ivec3& block, std::size_t)
+      {
+        std::vector<std::size_t> places;
+        if (paths.ChangeAt(block) > tolerance)
+        {
+          paths.AddWorst(block, tolerance, places);
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        found.insert(found.end(), places.begin(), places.end());
+      });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return std::size_t(std::count_if(
+      found.begin(), found.end(), [&](std::size_t place) { return this->Take(place); }));
+  }
+
+private:
+  bool Take(std::size_t place)
+  {
+    const bool isTaken = this->matters[place].change > 0.0f;
+    if (isTaken)
+    {
+      this->levels.ofBlocks[place] = FinerThan(this->levels.ofBlocks[place]);
+      this->matters[place] = MatterOf(this->looks, this->levels, place);
+    }
+    return isTaken;
+  }
+
+  const BlockLooks& looks;
+  BlockLevels& levels;
+  std::vector<Matter>& matters;
+};
+
 }
 
 std::vector<double> LightBounds(
@@ -249,10 +331,19 @@ std::vector<double> LightBounds(
 {
   const std::vector<Matter> matters = MattersOf(looks, levels);
   std::vector<double> bounds(levels.ofBlocks.size());
+  const std::vector<std::uint8_t> marks = VoxelsAndAround(levels);
   for (const LevelLight& light : lights)
   {
-    AddBounds(
-      LightSlabs(looks.CellsPerSide(), levels, matters, light.towardsGrid), light.strength, bounds);
+    if (light.IsFromInfinity())
+    {
+      AddBounds(LightSlabs(looks.CellsPerSide(), levels, matters, light.towardsGrid),
+        light.strength, bounds);
+      continue;
+    }
+    const LightPaths paths(levels, matters, light);
+    ForEachMarked(levels, marks,
+      [&](const glm::ivec3& block, std::size_t place)
+      { bounds[place] += light.strength * paths.ChangeAt(block); });
   }
   return LargestAround(levels, std::move(bounds));
 }
@@ -264,11 +355,24 @@ std::size_t RefineLight(const BlockLooks& looks, const std::vector<LevelLight>& 
   const std::vector<std::uint8_t> counts = LargestAround(levels, isLit);
   std::vector<Matter> matters = MattersOf(looks, levels);
   std::size_t taken = 0;
+  double allStrengths = 0.0;
   for (const LevelLight& light : lights)
   {
+    allStrengths += light.strength;
+  }
+  // Each light may be wrong by the same part of what it makes of a colour.
+  const double share = tolerance / allStrengths;
+  for (const LevelLight& light : lights)
+  {
+    if (!light.IsFromInfinity())
+    {
+      taken += taken < mostBlocks
+        ? PathRefinement(looks, levels, matters).Refine(light, counts, share)
+        : 0;
+      continue;
+    }
     const LightSlabs slabs(looks.CellsPerSide(), levels, matters, light.towardsGrid);
     ColumnRefinement refinement(looks, slabs, levels, matters);
-    const double share = tolerance / (light.strength * double(lights.size()));
     const Blocks columns = slabs.AllColumns();
     for (int y = columns.first.y; y <= columns.last.y; ++y)
     {
