@@ -125,6 +125,21 @@ TEST(InputOfTimes, SearchesAndReadsEachTimeOnce)
   EXPECT_EQ(scene.mapper->GetBrickRangesBuilds(), timeCount + 1);
 }
 
+// Ranges that are kept count as memory of the program.
+TEST(InputOfTimes, ReadsEachTimeAgainWhereMemoryIsShort)
+{
+  const auto times = Times();
+  MapperScene scene(times.front(), 64);
+  scene.mapper->SetErrorTolerance(Tolerance);
+  scene.mapper->SetMaximumHostMemory(1000);
+  for (int i = 0; i < 2 * timeCount; ++i)
+  {
+    scene.mapper->SetInputData(times[std::size_t(i % timeCount)]);
+    scene.DrawByProcessor();
+  }
+  EXPECT_EQ(scene.mapper->GetBrickRangesBuilds(), 2 * timeCount);
+}
+
 TEST(InputOfTimes, HasStepsOfOneViewForAllTimesNearIt)
 {
   const auto times = Times();

@@ -115,6 +115,7 @@ struct AccumulationRequest
 struct DeviceRequest
 {
   std::size_t mostMemoryBytes = 0;  ///< The graphics memory that may be used; 0: no limit.
+  std::size_t mostHostBytes = 0;    ///< The memory that the program may use; 0: no limit.
   bool mayMarchOnProcessor = false; ///< True if packets may march when OpenGL is software.
 };
 

@@ -324,6 +324,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
     frame.material.property->GetScalarOpacityUnitDistance());
   frame.device.mayMarchOnProcessor = mapper->GetProcessorMarching() != 0;
   frame.device.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
+  frame.device.mostHostBytes = std::size_t(mapper->GetMaximumHostMemory());
   ApplyImageSettings(mapper, renderer, prop, frame);
   ChooseQuality(mapper, frame);
   ChooseSpan(mapper, frame);

@@ -174,7 +174,8 @@ void FieldResources::UpdateRanges(const FieldInputs& inputs)
   const VolumeMarch& march = inputs.march;
   if (this->rangesOfVolume != inputs.volumeBuild)
   {
-    const bool areBuilt = this->field.BuildRanges(inputs.blocks.Values(), march.frame.voxels);
+    const bool areBuilt = this->field.BuildRanges(
+      inputs.blocks.Values(), march.frame.voxels, march.frame.device.mostHostBytes);
     this->rangesOfVolume = inputs.volumeBuild;
     this->rangesBuilds += areBuilt ? 1 : 0;
   }

@@ -197,7 +197,8 @@ void AccelerationField::SetTexels(
   this->Upload(window, size, texels);
 }
 
-bool AccelerationField::BuildRanges(const VoxelValues& values, const VoxelInput& voxels)
+bool AccelerationField::BuildRanges(
+  const VoxelValues& values, const VoxelInput& voxels, std::size_t hostBytes)
 {
   const Stopwatch stopwatch;
   bool areBuilt = false;
@@ -213,7 +214,7 @@ bool AccelerationField::BuildRanges(const VoxelValues& values, const VoxelInput&
       areBuilt = true;
       if (values.reachVoxels == 0) // the arrays of a spline do not last
       {
-        this->knownRanges.Add(key, ofVoxels);
+        this->knownRanges.Add(key, ofVoxels, hostBytes);
       }
     }
     this->ranges.push_back(voxels.axes.empty()

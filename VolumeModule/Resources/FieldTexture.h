@@ -57,9 +57,10 @@ public:
 
   /// Builds the part of the optical field that depends only on the voxels: the ranges of bricks. It
   /// is reused by every later BuildOpticalField.
-  /// @param voxels  the input of the values
+  /// @param voxels     the input of the values
+  /// @param hostBytes  see KnownRanges
   /// @return false if the ranges were known since the volume was drawn before
-  bool BuildRanges(const VoxelValues& values, const VoxelInput& voxels);
+  bool BuildRanges(const VoxelValues& values, const VoxelInput& voxels, std::size_t hostBytes);
 
   /// Builds the optical field, which stays empty if rays could skip hardly anything.
   /// @throws std::runtime_error if the device cannot hold the texture

@@ -17,16 +17,19 @@ std::shared_ptr<const BrickRanges> KnownRanges::Find(const std::vector<double>& 
   return this->entries.front().ranges;
 }
 
-void KnownRanges::Add(
-  const std::vector<double>& key, const std::shared_ptr<const BrickRanges>& ranges)
+void KnownRanges::Add(const std::vector<double>& key,
+  const std::shared_ptr<const BrickRanges>& ranges, std::size_t hostBytes)
 {
+  constexpr std::size_t PartOfHost = 32;
+  const std::size_t mostBytes =
+    hostBytes > 0 ? std::min(MostBytes, hostBytes / PartOfHost) : MostBytes;
   this->entries.push_front({ key, ranges });
   std::size_t bytes = 0;
   const auto tooMany = std::find_if(this->entries.begin(), this->entries.end(),
     [&](const Entry& entry)
     {
       bytes += entry.ranges->Bytes();
-      return bytes > MostBytes;
+      return bytes > mostBytes;
     });
   this->entries.erase(tooMany, this->entries.end());
 }

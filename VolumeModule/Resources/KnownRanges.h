@@ -12,7 +12,8 @@ namespace varimarch
 {
 
 /// The ranges of bricks of the components that were drawn last, so that the times of a scan that is
-/// played again and again are read once. It keeps no voxels, and at most MostBytes of ranges.
+/// played again and again are read once. It keeps no voxels, and at most MostBytes of ranges, or a
+/// 32nd of the memory that the program may use.
 class KnownRanges
 {
 public:
@@ -21,7 +22,9 @@ public:
   /// @param key  everything that the ranges depend on
   /// @return null if they are not known
   std::shared_ptr<const BrickRanges> Find(const std::vector<double>& key);
-  void Add(const std::vector<double>& key, const std::shared_ptr<const BrickRanges>& ranges);
+  /// @param hostBytes  memory that the program may use; 0: no limit
+  void Add(const std::vector<double>& key, const std::shared_ptr<const BrickRanges>& ranges,
+    std::size_t hostBytes);
   void Clear() { this->entries.clear(); }
 
 private:
