@@ -201,14 +201,19 @@ void ExpectSummaryOfStoredBox(VoxelType type, const BrickSource::Box& stored)
   const auto nothing = [](double) {};
   const VolumeSummary whole =
     SummaryOf(MemorySource<Scalar>(type, voxels, SliceDimensions), { EnoughForASlab }, nothing);
-  const VolumeSummary sparse =
-    SummaryOf(StoredBox<Scalar>(type, voxels, stored), { EnoughForASlab }, nothing);
-  EXPECT_EQ(sparse.smallest, whole.smallest);
-  EXPECT_EQ(sparse.largest, whole.largest);
-  EXPECT_EQ(sparse.counts, whole.counts);
-  EXPECT_EQ(sparse.coarse.voxels, whole.coarse.voxels);
-  ASSERT_EQ(sparse.ranges.Bytes(), whole.ranges.Bytes());
-  EXPECT_EQ(std::memcmp(sparse.ranges.Memory(), whole.ranges.Memory(), whole.ranges.Bytes()), 0);
+  // In the second, slabs of whole slices would be thinner than chunks.
+  const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
+  for (const std::uint64_t mostBytes : { EnoughForASlab, threads * 1000 * sizeof(Scalar) })
+  {
+    const VolumeSummary sparse =
+      SummaryOf(StoredBox<Scalar>(type, voxels, stored), { mostBytes }, nothing);
+    EXPECT_EQ(sparse.smallest, whole.smallest);
+    EXPECT_EQ(sparse.largest, whole.largest);
+    EXPECT_EQ(sparse.counts, whole.counts);
+    EXPECT_EQ(sparse.coarse.voxels, whole.coarse.voxels);
+    ASSERT_EQ(sparse.ranges.Bytes(), whole.ranges.Bytes());
+    EXPECT_EQ(std::memcmp(sparse.ranges.Memory(), whole.ranges.Memory(), whole.ranges.Bytes()), 0);
+  }
 }
 
 TEST(VolumeSummary, OfWhatIsStoredIsThatOfTheWhole)
@@ -256,7 +261,7 @@ TEST(VolumeSummary, HasLargerBricksAndCubesWhereTheyAreWanted)
 }
 
 /// Voxels in chunks of 8, of which the rows that are read at once are remembered.
-class StripSource : public MemorySource<std::uint8_t>
+class WatchedSource : public MemorySource<std::uint8_t>
 {
 public:
   using MemorySource::MemorySource;
@@ -278,20 +283,20 @@ public:
 TEST(VolumeSummary, IsMadeOfWholeChunksWhereWholeSlicesDoNotFit)
 {
   const glm::ivec3 size(20, 90, 48);
-  const StripSource source(VoxelType::UInt8, Scattered(size), glm::ivec2(size));
+  const WatchedSource source(VoxelType::UInt8, Scattered(size), glm::ivec2(size));
   const auto nothing = [](double) {};
   const VolumeSummary whole = SummaryOf(source, { 1 << 22 }, nothing);
   EXPECT_EQ(source.mostRows, size.y);
   source.mostRows = 0;
   source.leastSlices = 1000;
   const auto threads = std::uint64_t(tbb::this_task_arena::max_concurrency());
-  const std::uint64_t bytesOfStrip = 20 * 17 * 25;
-  const VolumeSummary strips = SummaryOf(source, { threads * bytesOfStrip }, nothing);
-  EXPECT_EQ(source.mostRows, 25);
+  constexpr std::uint64_t TwoChunks = 17 * 17 * 17;
+  const VolumeSummary boxes = SummaryOf(source, { threads * TwoChunks }, nothing);
+  EXPECT_EQ(source.mostRows, 17);
   EXPECT_GE(source.leastSlices, 16);
-  EXPECT_EQ(strips.counts, whole.counts);
-  EXPECT_EQ(strips.coarse.voxels, whole.coarse.voxels);
-  EXPECT_EQ(std::memcmp(strips.ranges.Memory(), whole.ranges.Memory(), whole.ranges.Bytes()), 0);
+  EXPECT_EQ(boxes.counts, whole.counts);
+  EXPECT_EQ(boxes.coarse.voxels, whole.coarse.voxels);
+  EXPECT_EQ(std::memcmp(boxes.ranges.Memory(), whole.ranges.Memory(), whole.ranges.Bytes()), 0);
 }
 
 TEST(VolumeSummary, TellsWhichBoxesAreZero)

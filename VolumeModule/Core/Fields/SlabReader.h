@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -43,14 +44,18 @@ struct StoredSlab
   /// False for voxels at the end that belong to the cells of the slab before.
   bool HasCells() const
   {
-    const bool isLastRow = this->count.y == 1 && this->first.y > 0;
-    const bool isLastSlice = this->count.z == 1 && this->first.z > 0;
-    return !isLastRow && !isLastSlice;
+    bool has = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      has = has && (this->count[axis] > 1 || this->first[axis] == 0);
+    }
+    return has;
   }
 };
 
 /// Reads slabs on as many cores as there is memory for slabs. A core takes no other slab before it
-/// is done with one. Slabs have whole chunks if there is memory for a row of them along x.
+/// is done with one. Slabs have whole slices; where these are so large that slabs would be thinner
+/// than chunks, they are boxes of some chunks along each axis.
 template <class Scalar>
 class SlabReader
 {
@@ -63,21 +68,33 @@ public:
     , extent(this->voxels)
   {
     constexpr std::int64_t FewSlices = 16;
+    constexpr std::int64_t MostChunks = 4;
     const auto& chunk = source.Levels().front().chunk;
     const auto threads = std::int64_t(tbb::this_task_arena::max_concurrency());
-    const std::int64_t rowBytes = std::int64_t(sizeof(Scalar)) * this->voxels.x;
-    const auto rows = std::int64_t(mostBytes) / threads / rowBytes; // rows that a slab may have
+    const auto most = std::int64_t(mostBytes / sizeof(Scalar)) / threads; // voxels of a slab
     const std::int64_t slices = std::max(chunk[2], FewSlices);
-    const bool hasWholeSlices = rows >= (slices + 1) * this->voxels.y;
-    const bool hasWholeChunks = rows >= (slices + 1) * (chunk[1] + 1);
-    this->extent.y =
-      hasWholeChunks && !hasWholeSlices ? this->Bricks(rows / (slices + 1) - 1) : this->voxels.y;
-    this->extent.z =
-      this->Bricks(std::min(slices, rows / std::min(this->extent.y + 1, this->voxels.y) - 1));
-    const std::int64_t slabBytes =
-      rowBytes * std::min(this->extent.y + 1, this->voxels.y) * std::int64_t(this->extent.z + 1);
+    std::int64_t chunks = MostChunks;
+    while (chunks > 1 && most < this->VoxelsOfChunks(chunk, chunks))
+    {
+      --chunks;
+    }
+    const std::int64_t ofSlice = std::int64_t(this->voxels.x) * this->voxels.y;
+    const bool areThin = chunk[2] > 1 && most / ofSlice - 1 < chunk[2];
+    if (areThin && most >= this->VoxelsOfChunks(chunk, chunks))
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->extent[axis] = this->Bricks(chunks * chunk[axis]);
+      }
+    }
+    else
+    {
+      this->extent.z = this->Bricks(std::min(slices, most / ofSlice - 1));
+    }
+    const glm::ivec3 read = glm::min(this->extent + 1, this->voxels);
+    const std::int64_t ofSlab = std::int64_t(read.x) * read.y * read.z;
     this->slabsAtOnce =
-      int(std::clamp<std::int64_t>(std::int64_t(mostBytes) / slabBytes, 1, threads));
+      int(std::clamp<std::int64_t>(std::int64_t(mostBytes / sizeof(Scalar)) / ofSlab, 1, threads));
   }
 
   /// True if the slabs have all voxels.
@@ -125,10 +142,23 @@ private:
     return int(std::max<std::int64_t>(most / this->side, 1)) * this->side;
   }
 
-  int StripCount() const { return (this->voxels.y + this->extent.y - 1) / this->extent.y; }
+  /// The voxels of a box of some chunks along each axis, with those that the next one begins with.
+  std::int64_t VoxelsOfChunks(const std::array<std::int64_t, 3>& chunk, std::int64_t chunks) const
+  {
+    std::int64_t count = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      count *= std::min<std::int64_t>(this->Bricks(chunks * chunk[axis]) + 1, this->voxels[axis]);
+    }
+    return count;
+  }
+
+  /// The number of slabs along each axis.
+  glm::ivec3 Counts() const { return (this->voxels + this->extent - 1) / this->extent; }
   int SlabCount() const
   {
-    return this->StripCount() * ((this->voxels.z + this->extent.z - 1) / this->extent.z);
+    const glm::ivec3 counts = this->Counts();
+    return counts.x * counts.y * counts.z;
   }
 
   static BrickSource::Box BoxOf(const StoredSlab& slab)
@@ -139,10 +169,11 @@ private:
 
   StoredSlab SlabOf(int index) const
   {
-    const glm::ivec3 first(
-      0, index % this->StripCount() * this->extent.y, index / this->StripCount() * this->extent.z);
-    const glm::ivec3 own =
-      glm::min(glm::ivec3(this->voxels.x, this->extent.y, this->extent.z), this->voxels - first);
+    const glm::ivec3 counts = this->Counts();
+    const glm::ivec3 number(
+      index % counts.x, index / counts.x % counts.y, index / counts.x / counts.y);
+    const glm::ivec3 first = number * this->extent;
+    const glm::ivec3 own = glm::min(this->extent, this->voxels - first);
     StoredSlab slab = { first, glm::min(own + 1, this->voxels - first), own };
     const BrickSource::Box stored = this->source.Occupied(BoxOf(slab));
     const glm::ivec3 end = first + slab.count;
@@ -163,7 +194,7 @@ private:
   const BrickSource& source;
   int side;
   glm::ivec3 voxels;
-  glm::ivec3 extent; ///< own voxels of a slab along y and z
+  glm::ivec3 extent; ///< own voxels of a slab
   int slabsAtOnce;
 };
 
