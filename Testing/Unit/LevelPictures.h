@@ -101,26 +101,40 @@ public:
   void LightFrom(const glm::dvec3& towardsWorld)
   {
     const glm::dvec3 towards = glm::normalize(towardsWorld);
-    this->texels = { glm::vec4(glm::vec3(towards), 0.0f), glm::vec4(1.0f), glm::vec4(1.0f),
-      glm::vec4(0.0f), glm::vec4(0.0f) };
+    this->CastShadows(towards, true);
+    this->lights = { { glm::inverse(this->pictures.WorldFromGrid()) * towards, this->Strength() } };
+  }
+
+  /// Lets a lamp near the volume cast shadows. The pictures need a reflectance.
+  void LampAt(const glm::dvec3& placeGrid)
+  {
+    const glm::dmat3 worldFromGrid = this->pictures.WorldFromGrid();
+    this->CastShadows(worldFromGrid * placeGrid, false); // the origins are one
+    this->lights = { { glm::dvec3(0.0), this->Strength(), std::numeric_limits<double>::infinity(),
+      LampPlace{ placeGrid, worldFromGrid } } };
+  }
+
+  /// Lets matter within a reach keep light from all around. The pictures need a reflectance.
+  void OccludeWithin(double reachMm)
+  {
+    const glm::dmat3 gridFromWorld = glm::inverse(this->pictures.WorldFromGrid());
+    this->lights.clear();
+    for (const WeightedDirection& one : SphereQuadrature())
+    {
+      const glm::dvec3 towardsGrid = gridFromWorld * one.direction;
+      for (PacketScene* const scene : this->scenes)
+      {
+        scene->sky.directions[this->lights.size()] = glm::dvec4(towardsGrid, one.weight);
+      }
+      this->lights.push_back({ towardsGrid, one.weight * this->Brightest(), reachMm });
+    }
     for (PacketScene* const scene : this->scenes)
     {
-      scene->light.shading = PacketShading::Lights;
-      scene->light.castsShadows = true;
-      scene->textures.lightTexels.inMemory = this->texels.data();
-      VolumeParameters& parameters = scene->parameters;
-      parameters.distantCount = 1;
-      parameters.diffuseLight = parameters.specularLight = glm::vec3(0.0f);
-      parameters.surfacesInShadow = 1.0f;
-      parameters.shadowReachMm = std::numeric_limits<float>::max();
-      const auto& world = parameters.worldFromGrid;
-      parameters.gridFromWorld =
-        glm::inverse(glm::dmat3(glm::vec3(world[0]), glm::vec3(world[1]), glm::vec3(world[2])));
-      scene->rays.shadowStepMm = 0.25f;
+      scene->sky.strength = 1.0f;
+      scene->sky.reachMm = float(reachMm);
+      scene->sky.stepMm = 0.5f;
+      scene->sky.mostDepth = 20.0f;
     }
-    const glm::dvec4& strength = *this->reflectance;
-    this->lights = { { glm::inverse(this->pictures.WorldFromGrid()) * towards,
-      strength.y + strength.z } };
   }
 
   std::vector<float> Draw(const BlockLevels& levels)
@@ -219,6 +233,33 @@ private:
     return made;
   }
 
+  double Strength() const { return this->reflectance->y + this->reflectance->z; }
+  double Brightest() const { return this->reflectance->x + this->Strength(); }
+
+  /// @param place  direction to a light at infinity, or place of a lamp, in the world
+  void CastShadows(const glm::dvec3& place, bool isDistant)
+  {
+    constexpr float NoCone = -2.0f;
+    this->texels = { glm::vec4(glm::vec3(place), 0.0f), glm::vec4(1.0f, 1.0f, 1.0f, NoCone),
+      glm::vec4(1.0f, 1.0f, 1.0f, 0.0f), glm::vec4(1.0f, 0.0f, 0.0f, 0.0f), glm::vec4(0.0f) };
+    for (PacketScene* const scene : this->scenes)
+    {
+      scene->light.shading = PacketShading::Lights;
+      scene->light.castsShadows = true;
+      scene->textures.lightTexels.inMemory = this->texels.data();
+      VolumeParameters& parameters = scene->parameters;
+      parameters.distantCount = isDistant ? 1 : 0;
+      parameters.nearCount = isDistant ? 0 : 1;
+      parameters.diffuseLight = parameters.specularLight = glm::vec3(0.0f);
+      parameters.surfacesInShadow = 1.0f;
+      parameters.shadowReachMm = std::numeric_limits<float>::max();
+      const auto& world = parameters.worldFromGrid;
+      parameters.gridFromWorld =
+        glm::inverse(glm::dmat3(glm::vec3(world[0]), glm::vec3(world[1]), glm::vec3(world[2])));
+      scene->rays.shadowStepMm = 0.25f;
+    }
+  }
+
   /// @param first  place of the first voxel in the volume
   /// @param scale  distance of its voxels, in those of the volume
   void AddLevel(
@@ -232,6 +273,7 @@ private:
     level.volume.voxelCount = voxelCount;
     level.parameters.ownGridFromRays = glm::inverse(voxelsFromLevel);
     level.parameters.worldFromGrid = worldFromLevel;
+    level.parameters.worldOfGridOrigin = this->pictures.WorldFromGrid() * first;
     level.parameters.worldFromGradient = glm::transpose(glm::inverse(worldFromLevel));
     this->scenes.push_back(&level);
   }

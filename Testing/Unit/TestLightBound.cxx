@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 using namespace varimarch;
@@ -39,6 +40,58 @@ TEST(LevelBound, HoldsInShadows)
   }
   EXPECT_LT(tightest, 0.6) << "every bound is far from the error";
   EXPECT_GT(mostOfLight, ShadowStepError) << "light changes nothing beyond the looks";
+}
+
+// Without the bounds of light the same images are beyond the bounds of their levels.
+void ExpectBoundsUnder(
+  unsigned scenes, const std::function<void(ByChance& chance, LevelPictures& pictures)>& light)
+{
+  const glm::dvec4 dull(0.1, 0.9, 0.0, 1.0);
+  double mostOfLight = 0.0;
+  for (unsigned seed = 1; seed <= scenes; ++seed)
+  {
+    ByChance chance(seed);
+    LevelPictures pictures(Wave, Foggy(chance.Number(0.1, 0.9)), dull);
+    light(chance, pictures);
+    const BlockLevels levels = chance.Levels(pictures.Looks().Coarse());
+    EXPECT_LE(pictures.MostBeyond(levels), ShadowStepError) << "seed " << seed;
+    LevelBoundScene unlit = pictures.Scene();
+    unlit.lights.clear();
+    mostOfLight =
+      std::max(mostOfLight, pictures.MostBeyond(pictures.Draw(levels), LevelBounds(unlit, levels)));
+  }
+  EXPECT_GT(mostOfLight, ShadowStepError) << "light changes nothing beyond the looks";
+}
+
+TEST(LevelBound, HoldsInShadowsOfALampNearTheVolume)
+{
+  ExpectBoundsUnder(12,
+    [](ByChance& chance, LevelPictures& pictures) {
+      pictures.LampAt({ chance.Number(-5.0, 25.0), chance.Number(-5.0, 15.0), 15.0 });
+    });
+}
+
+// Each sample traces 32 rays.
+TEST(LevelBound, HoldsUnderAmbientOcclusion)
+{
+  ExpectBoundsUnder(1,
+    [](ByChance& chance, LevelPictures& pictures)
+    { pictures.OccludeWithin(chance.Number(2.0, 4.0)); });
+}
+
+TEST(LevelRefinement, KeepsTheToleranceInShadowsOfALampNearTheVolume)
+{
+  constexpr double Tolerance = 1.0 / 16.0;
+  LevelPictures pictures(Wave, Foggy(0.3), glm::dvec4(0.1, 0.9, 0.0, 1.0));
+  pictures.LampAt({ 10.0, 5.0, 16.0 });
+  BlockLevels levels = pictures.Looks().Begun();
+  std::vector<double> bounds(std::size_t(BoundPixels.x * BoundPixels.y), 1.0);
+  for (int rounds = 0; rounds < 12 && LargestOf(bounds) > Tolerance; ++rounds)
+  {
+    Refine(pictures.Scene(), { Tolerance }, levels, bounds);
+  }
+  EXPECT_LE(LargestOf(bounds), Tolerance);
+  EXPECT_LE(pictures.LargestDifference(levels), Tolerance + ShadowStepError);
 }
 
 TEST(LevelRefinement, KeepsTheToleranceInShadows)
