@@ -15,7 +15,6 @@ namespace
 
 const RenderSettings plain{ Blend::Composite, Acceleration::Off, false, false };
 
-// The parts of these settings that differ from those of the plain settings.
 Parts Changed(const RenderSettings& settings)
 {
   const Parts before = FragmentShaderParts(plain);
