@@ -4,6 +4,8 @@
 #include "Frame/Lights.h"
 #include "Frame/SceneFingerprint.h"
 
+#include "vtkOpenGLRenderWindow.h"
+
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 

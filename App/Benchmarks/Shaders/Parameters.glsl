@@ -27,6 +27,13 @@ struct Ray
 
 // The scalar at a position in the volume texture (folder Voxels).
 float ScalarAt(vec3 positionTexture);
+
+// The mapper's files of gradients read their values by this name.
+vec4 TexelForDifference(vec3 positionTexture)
+{
+  return vec4(ScalarAt(positionTexture));
+}
+
 // The part of the distant light that arrives at the origin of a ray, [0, 1] (folder Shadow).
 float Arriving(Ray ray);
 // The colour that a material of this colour sends towards the eye (folder Look).
