@@ -141,12 +141,12 @@ def zarr_levels_channels_and_times_are_chosen(folder):
 
 
 def the_finest_level_that_fits_is_read(folder):
-    """An array of 8 TB without a chunk, and a level that fits."""
+    """An array of 4 PB without a chunk, and a level that fits."""
     path = folder / "a.zarr"
-    zarr.open_array(str(path / "0"), mode="w", shape=(2**14,) * 3, chunks=(64,) * 3, dtype="u2")
+    zarr.open_array(str(path / "0"), mode="w", shape=(2**17,) * 3, chunks=(64,) * 3, dtype="u2")
     values = values_of((8, 8, 8), "u2")
     write_zarr(path / "1", values)
-    describe(path, "zyx", [UNIT, ((2048.0,) * 3, (0.0,) * 3)])
+    describe(path, "zyx", [UNIT, ((16384.0,) * 3, (0.0,) * 3)])
     found, _, doubts = read(path)
     assert (found == values).all()
     assert any("Level 1" in doubt for doubt in doubts), doubts
