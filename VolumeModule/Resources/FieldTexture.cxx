@@ -75,7 +75,7 @@ BrickRanges RangesOf(const Scalar* scalars, const VoxelValues& values, std::size
   const ScalarTexels& texels = values.texels[index];
   vtkDataArray* const array = values.components[index].array;
   const auto summary = SummaryOf(array);
-  // As many bricks as fit into memory for a volume on disk.
+  // A volume on disk has bricks so large that their ranges fit into memory.
   const int side = summary ? summary->ranges.Side() : BrickRanges::CellsPerSide;
   const int stride = array->GetNumberOfComponents();
   const glm::ivec3 dimensions = values.dimensions;

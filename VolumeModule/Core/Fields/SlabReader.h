@@ -136,7 +136,7 @@ public:
   }
 
 private:
-  /// As many voxels as whole bricks have, one at least.
+  /// The largest number of voxels, at most `most`, that whole bricks have; one brick at least.
   int Bricks(std::int64_t most) const
   {
     return int(std::max<std::int64_t>(most / this->side, 1)) * this->side;

@@ -1,4 +1,4 @@
-// As all values are filtered.
+// The filter of all other values.
 
 vec4 FilteredForDifference(sampler3D volume, vec3 place)
 {
