@@ -69,7 +69,7 @@ public:
   glm::dvec3 center;
 };
 
-// Above the first cube and beside the view, so that VTK culls it. Their shadows overlap.
+// A place above the first cube and beside the view, so that VTK culls it. Their shadows overlap.
 constexpr glm::dvec3 AboveFirst(8.0, 0.5, 18.0);
 
 }
@@ -203,6 +203,53 @@ TEST(ReceivingProps, KeepTheirLightWhileImagesAreAccumulated)
   drawAll();
   EXPECT_GT(mapper->GetGeometryShadowBuilds(), builds);
   EXPECT_LE(mapper->GetGeometryShadowBuilds(), 2 * builds);
+}
+
+namespace
+{
+
+class AccumulatingCube : public CubeAboveFloor
+{
+public:
+  AccumulatingCube()
+  {
+    this->AddSun();
+    this->scene.mapper->ProcessorMarchingOn();
+    this->scene.mapper->SetMaximumAccumulatedPictures(6);
+  }
+
+  // The red of a lit floor in the shadow of this cube alone.
+  void ExpectOwnShadow()
+  {
+    this->ExpectRedIn(
+      this->scene.Draw(),
+      [](glm::dvec3 place) { return 0.64 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
+      OfBytes);
+  }
+};
+
+}
+
+TEST(ReceivingProps, ForgetTheShadowOfAVolumeThatIsGone)
+{
+  AccumulatingCube cube;
+  cube.ExpectOwnShadow();
+  const SecondCube second(cube, AboveFirst);
+  cube.scene.Draw();
+  second.volume->VisibilityOff();
+  cube.ExpectOwnShadow();
+}
+
+TEST(ReceivingProps, GetTheirShadowOnceVolumesOfOtherMappersAreGone)
+{
+  AccumulatingCube cube;
+  const SecondCube second(cube, AboveFirst);
+  vtkNew<vtkFixedPointVolumeRayCastMapper> others;
+  others->SetInputData(cube.scene.image);
+  second.volume->SetMapper(others);
+  cube.scene.Draw();
+  second.volume->VisibilityOff();
+  cube.ExpectOwnShadow();
 }
 
 // VTK culls what is out of the view.

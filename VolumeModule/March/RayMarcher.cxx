@@ -20,6 +20,12 @@ MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQua
   this->EnterWindow(frame.view.window);
   MarchPlan plan = PlanOf(frame, quality);
   this->accumulator.Begin(frame, plan);
+  this->UpdateResources(frame, plan);
+  return plan;
+}
+
+void RayMarcher::UpdateResources(const Frame& frame, MarchPlan& plan)
+{
   this->resources.UpdateVoxels(frame);
   this->ChooseMarcher(frame, plan);
   this->resources.Update(frame, plan, this->MemoryOfImages());
@@ -27,7 +33,6 @@ MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQua
   {
     this->shaders.ReleaseBlocks(frame.view.window);
   }
-  return plan;
 }
 
 std::optional<CommonSteps> RayMarcher::FindSteps(const Frame& frame)
@@ -44,9 +49,7 @@ std::optional<CommonSteps> RayMarcher::FindSteps(const Frame& frame)
 void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& quality)
 {
   MarchPlan plan = this->Prepare(frame, quality);
-  // While somebody interacts, a volume has steps of its own.
-  this->commonSteps && !plan.isInteractive ? this->TakeCommonSteps(frame, plan)
-                                           : this->SearchSteps(frame, plan);
+  this->TakeSteps(frame, plan);
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
   this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
@@ -62,8 +65,10 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
 
 void RayMarcher::CastOnGeometry(const Frame& frame, ReceivedLight& light, bool isLast)
 {
-  MarchPlan plan = this->Prepare(frame, {});
-  this->SearchSteps(frame, plan);
+  this->EnterWindow(frame.view.window);
+  MarchPlan plan = PlanOf(frame, {});
+  this->UpdateResources(frame, plan);
+  this->TakeSteps(frame, plan);
   this->dimming.TakeLight(frame, plan, light);
   if (isLast)
   {
@@ -99,12 +104,24 @@ void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
     plan.marcher = Marcher::Device;
     plan.filter =
       FiltersBetweenTexelsExactly(frame.view.window) ? Filter::OfDevice : Filter::OfTexels;
-    plan.filters8Bits = this->resources.AnyFits8Bits() &&
-      (plan.filter == Filter::OfTexels || Filters8BitsExactly(frame.view.window));
+    plan.filters8Bits = this->resources.AnyFits8Bits() && Filters8BitsExactly(frame.view.window);
     this->packets.Release(frame.view.window);
   }
   plan.sampleDistanceMm =
     std::max(plan.sampleDistanceMm, ShortestDistanceWithSkyMm(frame, plan.marcher));
+}
+
+// While somebody interacts, a volume has steps of its own.
+void RayMarcher::TakeSteps(const Frame& frame, MarchPlan& plan)
+{
+  if (this->commonSteps && !plan.isInteractive)
+  {
+    this->TakeCommonSteps(frame, plan);
+  }
+  else
+  {
+    this->SearchSteps(frame, plan);
+  }
 }
 
 void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan) const

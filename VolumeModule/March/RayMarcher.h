@@ -107,7 +107,11 @@ private:
   /// Updates the resources of a frame, and plans its march.
   MarchPlan Prepare(const Frame& frame, const std::optional<PictureQuality>& quality);
   void EnterWindow(vtkOpenGLRenderWindow* window);
+  /// Chooses the marcher, and updates everything that it reads.
+  void UpdateResources(const Frame& frame, MarchPlan& plan);
   void ChooseMarcher(const Frame& frame, MarchPlan& plan);
+  /// Searches the steps of an image, or takes those that were set.
+  void TakeSteps(const Frame& frame, MarchPlan& plan);
   void SearchSteps(const Frame& frame, MarchPlan& plan);
   void TakeCommonSteps(const Frame& frame, MarchPlan& plan) const;
   ToleranceInputs ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const;

@@ -39,17 +39,20 @@ std::vector<glm::vec4> PlacesOf(
   return places;
 }
 
-// All that the factors of an image depend on that is accumulated; empty for another image. VTK's
-// highlights depend on the place of the eye in a parallel projection too.
+// All that the factors of an image depend on that is accumulated; empty for another image, and for
+// overlapping volumes, of which the fingerprint has the first only. VTK's highlights depend on the
+// place of the eye in a parallel projection too.
 std::vector<double> InputsOf(const Frame& frame, const MarchPlan& plan)
 {
-  std::vector<double> inputs = frame.accumulation.fingerprint;
+  std::vector<double> inputs =
+    frame.others.empty() ? frame.accumulation.fingerprint : std::vector<double>();
   if (!inputs.empty())
   {
     const double* const eye = frame.view.renderer->GetActiveCamera()->GetPosition();
     inputs.insert(inputs.end(), eye, eye + 3);
-    inputs.insert(
-      inputs.end(), { plan.sampleDistanceMm, double(plan.marcher), double(plan.isInteractive) });
+    inputs.insert(inputs.end(),
+      { plan.sampleDistanceMm, double(plan.marcher), double(plan.isInteractive),
+        double(frame.casters.shadowing) });
   }
   return inputs;
 }
@@ -61,7 +64,7 @@ Viewport PixelsOf(const MarchPlan& plan)
 }
 
 // Multiplies the parts of lamps that other volumes leave by those that a volume leaves.
-// @param parts  of the lamps, for each four of them the numbers of all pixels
+// @param parts  the parts of the lamps: for each four of them the numbers of all pixels
 void Multiply(
   ReceivedLight& light, const std::vector<std::vector<float>>& parts, double shadowStrength)
 {
@@ -202,6 +205,7 @@ void GeometryDimming::TakeLight(const Frame& frame, const MarchPlan& plan, Recei
 
 void GeometryDimming::Draw(const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
 {
+  this->keptFor.clear();
   this->TakeFactors(frame, plan, received);
   this->DrawFactors(frame, plan);
 }

@@ -49,7 +49,8 @@ public:
   /// Dims geometry in the current framebuffer.
   void Draw(const Frame& frame, const MarchPlan& plan, const ReceivedLight& light);
 
-  /// How often the light on geometry was traced. Images that are accumulated share it.
+  /// How often the light on geometry was traced. Images of one volume that are accumulated
+  /// share it.
   int Tracings() const { return this->tracings; }
   std::size_t Bytes() const { return this->image.Bytes() + this->light.Bytes(); }
   void Release(vtkWindow* window);
