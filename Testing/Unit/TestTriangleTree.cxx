@@ -217,6 +217,17 @@ TEST(TriangleTree, DoesNotMoveTrianglesIntoNothing)
   ExpectTruthOfGroups(tree, groups);
 }
 
+// A matrix may flatten an actor, and another one show it again.
+TEST(TriangleTree, DoesNotMoveTrianglesOutOfNothing)
+{
+  const std::vector<Triangle> all = TrianglesAround(glm::vec3(0.0f), 150, 1);
+  TriangleGroups groups = { all };
+  std::fill(groups[0].begin(), groups[0].begin() + 75, Triangle());
+  TriangleTree tree(groups);
+  EXPECT_FALSE(tree.Move(0, all));
+  ExpectTruthOfGroups(tree, groups);
+}
+
 // Coordinates are relative to a place near the volume, so that they are at most some times as large
 // as the scene.
 TEST(TriangleTree, FindsItFarFromTheOriginToo)

@@ -272,6 +272,11 @@ bool TriangleTree::Move(std::size_t group, const std::vector<Triangle>& moved)
   const Group& one = this->groups[group];
   const auto cornersAt = [&](std::size_t texel) -> const Triangle&
   { return moved[std::size_t(this->texels[texel + 1].w) - one.firstNumber]; };
+  const auto haveArea = std::count_if(moved.begin(), moved.end(), CanBeMet);
+  if (std::size_t(haveArea) != (one.endTexel - one.firstTexel) / 3)
+  {
+    return false;
+  }
   for (std::size_t texel = one.firstTexel; texel < one.endTexel; texel += 3)
   {
     if (!CanBeMet(cornersAt(texel)))

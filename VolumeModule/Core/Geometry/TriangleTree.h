@@ -49,7 +49,7 @@ public:
   /// Moves the triangles of a group, whose nodes keep their triangles: much faster than a new tree,
   /// and as good for rays if the triangles stay as near to each other.
   /// @param moved  all triangles of the group
-  /// @return false, and the tree stays as it is, if one of them has no area now
+  /// @return false, and the tree stays as it is, if other triangles have an area now
   bool Move(std::size_t group, const std::vector<Triangle>& moved);
 
   /// The nodes and triangles.
