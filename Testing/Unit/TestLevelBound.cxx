@@ -179,7 +179,7 @@ TEST(LevelRefinement, TakesTheLevelBetweenWhereThatSuffices)
   const auto between =
     std::count(levels.ofBlocks.begin(), levels.ofBlocks.end(), BlockLevel::Coarse);
   EXPECT_GT(between, 0);
-  EXPECT_GE(RefineAll(pictures, 1e-9, levels), 0.0);
+  RefineAll(pictures, 1e-9, levels);
   EXPECT_EQ(LargestOf(LevelBounds(pictures.Scene(), levels)), 0.0) << "all are voxels in the end";
 }
 

@@ -14,6 +14,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace varimarch
@@ -32,10 +33,13 @@ double LevelTolerance(const Frame& frame)
   return LevelShare * (budget.HasTolerance() ? budget.tolerance : WithoutTolerance);
 }
 
-// True if blocks may have different levels: what their voxels look like depends on no other block.
+// True if blocks may have different levels: what their voxels look like depends on no other block,
+// and no light is brighter than all bounds. A lamp that dims with the distance alone is.
 bool CanBeRefined(const LevelInputs& inputs)
 {
-  return inputs.summary->areFinite && !inputs.hasSoftLamps;
+  return inputs.summary->areFinite && !inputs.hasSoftLamps &&
+    std::all_of(inputs.lights.begin(), inputs.lights.end(),
+      [](const LevelLight& light) { return std::isfinite(light.strength); });
 }
 
 // True while a scene whose voxels are drawn in parts is still shown by its coarse level: parts of

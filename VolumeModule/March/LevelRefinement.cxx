@@ -82,7 +82,7 @@ int ShadowedCount(const Frame& frame, const LightTexels& lamps)
                                 : 0;
 }
 
-glm::vec4* TexelsOf(LightTexels& lamps, int lamp)
+const glm::vec4* TexelsOf(const LightTexels& lamps, int lamp)
 {
   return &lamps.texels[std::size_t(lamp) * LightTexels::PerLight];
 }
@@ -137,7 +137,7 @@ void AddSky(const Frame& frame, double brightest, std::vector<LevelLight>& light
 // Everything that matter may keep from a place.
 std::vector<LevelLight> DimmedLightsOf(const Frame& frame, double brightest)
 {
-  LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
   std::vector<LevelLight> lights;
   for (int lamp = 0; lamp < ShadowedCount(frame, lamps); ++lamp)
   {
@@ -153,7 +153,7 @@ std::vector<LevelLight> DimmedLightsOf(const Frame& frame, double brightest)
 
 bool HasSoftLamps(const Frame& frame)
 {
-  LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
   bool isSoft = false;
   for (int lamp = lamps.distantCount; lamp < ShadowedCount(frame, lamps); ++lamp)
   {

@@ -92,18 +92,20 @@ SummarizedVoxels PagedPyramid::Summarized(
 
 vtkSmartPointer<vtkImageData> PagedPyramid::Image(ReadProgress& progress)
 {
-  constexpr double PartOfLevel = 0.85; // coarser levels have a seventh of its voxels
   const PyramidForm& form = this->pyramid->Form();
-  ReadProgress ofLevel = progress.Part(0.0, PartOfLevel);
-  ReadProgress ofCoarser = progress.Part(PartOfLevel, 1.0);
   if (!this->summary)
   {
-    this->summary = MadeSummary(this->Summarized(*this->source, this->level, this->side), ofLevel);
+    ReadProgress part = this->PartOf(this->level, progress);
+    this->summary = MadeSummary(this->Summarized(*this->source, this->level, this->side), part);
   }
+  std::uint64_t bytesLeft = this->mostBytes / 2;
+  bytesLeft -=
+    std::min(bytesLeft, BytesOfBricks(form.levels[this->level], this->pyramid->Type(), this->side));
   std::vector<PagedLevel> coarser;
   for (std::size_t number = this->level + 1; number < form.levels.size(); ++number)
   {
-    if (std::optional<PagedLevel> one = this->Coarser(number, ofCoarser))
+    ReadProgress part = this->PartOf(number, progress);
+    if (std::optional<PagedLevel> one = this->Coarser(number, bytesLeft, part))
     {
       coarser.push_back(std::move(*one));
     }
@@ -115,7 +117,15 @@ vtkSmartPointer<vtkImageData> PagedPyramid::Image(ReadProgress& progress)
     this->summary, this->mostBytes);
 }
 
-std::optional<PagedLevel> PagedPyramid::Coarser(std::size_t number, ReadProgress& progress) const
+// Each level is taken to have an eighth of the voxels of the finer one.
+ReadProgress PagedPyramid::PartOf(std::size_t number, ReadProgress& progress) const
+{
+  const double finer = double(number - this->level);
+  return progress.Part(1.0 - std::pow(0.125, finer), 1.0 - std::pow(0.125, finer + 1.0));
+}
+
+std::optional<PagedLevel> PagedPyramid::Coarser(
+  std::size_t number, std::uint64_t& bytesLeft, ReadProgress& progress) const
 {
   constexpr int LeastSide = 2;
   constexpr std::uint64_t NoBoundOfItsOwn = std::numeric_limits<std::uint64_t>::max();
@@ -124,15 +134,22 @@ std::optional<PagedLevel> PagedPyramid::Coarser(std::size_t number, ReadProgress
   const glm::ivec3 voxelCount(level.dimensions[0], level.dimensions[1], level.dimensions[2]);
   const auto placing = PlacingOf(form.geometries[number], form.geometries[this->level]);
   const auto voxelBytes = std::size_t(vtkDataArray::GetDataTypeSize(form.scalarType));
-  const bool isFiner = glm::all(glm::greaterThan(voxelCount, this->summary->coarse.voxelCount));
-  if (!placing || !isFiner || !ChunkedVoxels::Obstacle(level, voxelBytes, this->mostBytes).empty())
+  const std::uint64_t ownBytes = this->mostBytes / 4; // volumes keep a part of theirs each
+  const bool isFiner =
+    placing && glm::all(glm::lessThan(placing->scale, glm::dvec3(double(this->side))));
+  if (!isFiner || !ChunkedVoxels::Obstacle(level, voxelBytes, ownBytes).empty())
+  {
+    return std::nullopt;
+  }
+  const glm::dvec3& scale = placing->scale;
+  const int ownSide = std::max(
+    LeastSide, int(std::lround(double(this->side) / std::cbrt(scale.x * scale.y * scale.z))));
+  const std::uint64_t ofBricks = BytesOfBricks(level, this->pyramid->Type(), ownSide);
+  if (ofBricks > bytesLeft)
   {
     return std::nullopt;
   }
   auto ofLevel = std::make_unique<DecodedLevel>(this->pyramid, int(number));
-  const int ownSide = std::max(LeastSide,
-    int(std::lround(
-      double(this->side) / std::max({ placing->scale.x, placing->scale.y, placing->scale.z }))));
   const SummarizedVoxels summarized = this->Summarized(*ofLevel, number, ownSide);
   std::shared_ptr<const VolumeSummary> facts = KeptSummary(summarized);
   facts = facts ? facts : MadeSummary(summarized, progress);
@@ -140,12 +157,12 @@ std::optional<PagedLevel> PagedPyramid::Coarser(std::size_t number, ReadProgress
   {
     return std::nullopt;
   }
+  bytesLeft -= ofBricks;
   auto voxels =
-    std::make_unique<ChunkedVoxels>(std::move(ofLevel), facts, this->order.path, this->mostBytes);
+    std::make_unique<ChunkedVoxels>(std::move(ofLevel), facts, this->order.path, ownBytes);
   const vtkSmartPointer<vtkImageData> image =
     PagedImage(std::move(voxels), { level.dimensions, form.scalarType, 1 }, facts, NoBoundOfItsOwn);
-  return PagedLevel{ image->GetPointData()->GetScalars(), voxelCount, placing->first,
-    placing->scale };
+  return PagedLevel{ image->GetPointData()->GetScalars(), voxelCount, placing->first, scale };
 }
 
 }

@@ -40,8 +40,13 @@ public:
 
 private:
   SummarizedVoxels Summarized(const DecodedLevel& ofLevel, std::size_t number, int side) const;
-  /// A coarser level; none if it is no finer than the means, or cannot be drawn in their place.
-  std::optional<PagedLevel> Coarser(std::size_t number, ReadProgress& progress) const;
+  /// The progress of a level among all levels.
+  ReadProgress PartOf(std::size_t number, ReadProgress& progress) const;
+  /// A coarser level; none if it is no finer than the means, cannot be drawn in their place, or has
+  /// bricks that need more memory than is left.
+  /// @param bytesLeft  memory for bricks [bytes]; it becomes less by those of the level
+  std::optional<PagedLevel> Coarser(
+    std::size_t number, std::uint64_t& bytesLeft, ReadProgress& progress) const;
 
   const PyramidOrder& order;
   std::shared_ptr<const DecodedPyramid> pyramid;

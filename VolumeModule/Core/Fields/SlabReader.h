@@ -91,7 +91,7 @@ public:
     {
       this->extent.z = this->Bricks(std::min(slices, most / ofSlice - 1));
     }
-    const glm::ivec3 read = glm::min(this->extent + 1, this->voxels);
+    const glm::ivec3 read = glm::min(this->extent, this->voxels - 1) + 1;
     const std::int64_t ofSlab = std::int64_t(read.x) * read.y * read.z;
     this->slabsAtOnce =
       int(std::clamp<std::int64_t>(std::int64_t(mostBytes / sizeof(Scalar)) / ofSlab, 1, threads));
@@ -139,7 +139,7 @@ private:
   /// The largest number of voxels, at most `most`, that whole bricks have; one brick at least.
   int Bricks(std::int64_t most) const
   {
-    return int(std::max<std::int64_t>(most / this->side, 1)) * this->side;
+    return int(std::clamp<std::int64_t>(most / this->side, 1, (1 << 30) / this->side)) * this->side;
   }
 
   /// The voxels of a box of some chunks along each axis, with those that the next one begins with.
@@ -154,7 +154,7 @@ private:
   }
 
   /// The number of slabs along each axis.
-  glm::ivec3 Counts() const { return (this->voxels + this->extent - 1) / this->extent; }
+  glm::ivec3 Counts() const { return (this->voxels - 1) / this->extent + 1; }
   int SlabCount() const
   {
     const glm::ivec3 counts = this->Counts();

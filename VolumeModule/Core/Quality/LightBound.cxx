@@ -39,6 +39,19 @@ std::vector<Matter> MattersOf(const BlockLooks& looks, const BlockLevels& levels
   return matters;
 }
 
+/// Takes a finer level for a block, if that changes anything.
+bool TakesFiner(
+  const BlockLooks& looks, BlockLevels& levels, std::vector<Matter>& matters, std::size_t place)
+{
+  const bool changes = matters[place].change > 0.0f;
+  if (changes)
+  {
+    levels.ofBlocks[place] = FinerThan(levels.ofBlocks[place]);
+    matters[place] = MatterOf(looks, levels, place);
+  }
+  return changes;
+}
+
 double Changed(double mm, const Matter& matter)
 {
   return -std::expm1(-mm * double(matter.change));
@@ -222,19 +235,11 @@ private:
     for (auto next = changes.begin(); next != changes.end() && left > 0.5 * tolerance; ++next)
     {
       left -= next->size;
-      this->slabs.ForEach(next->slab, column, [&](std::size_t place) { this->Take(place); });
+      this->slabs.ForEach(next->slab, column,
+        [&](std::size_t place)
+        { this->taken += TakesFiner(this->looks, this->levels, this->matters, place) ? 1 : 0; });
     }
     return this->taken > before;
-  }
-
-  void Take(std::size_t place)
-  {
-    if (this->matters[place].change > 0.0f)
-    {
-      this->levels.ofBlocks[place] = FinerThan(this->levels.ofBlocks[place]);
-      this->matters[place] = MatterOf(this->looks, this->levels, place);
-      ++this->taken;
-    }
   }
 
   const BlockLooks& looks;
@@ -303,22 +308,12 @@ public:
       });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    return std::size_t(std::count_if(
-      found.begin(), found.end(), [&](std::size_t place) { return this->Take(place); }));
+    return std::size_t(std::count_if(found.begin(), found.end(),
+      [&](std::size_t place)
+      { return TakesFiner(this->looks, this->levels, this->matters, place); }));
   }
 
 private:
-  bool Take(std::size_t place)
-  {
-    const bool isTaken = this->matters[place].change > 0.0f;
-    if (isTaken)
-    {
-      this->levels.ofBlocks[place] = FinerThan(this->levels.ofBlocks[place]);
-      this->matters[place] = MatterOf(this->looks, this->levels, place);
-    }
-    return isTaken;
-  }
-
   const BlockLooks& looks;
   BlockLevels& levels;
   std::vector<Matter>& matters;

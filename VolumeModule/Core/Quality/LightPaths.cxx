@@ -17,6 +17,9 @@ namespace varimarch
 namespace
 {
 
+// Paths end where no more than this part of the light comes.
+constexpr double Nothing = 1e-6;
+
 /// The rays from all places of a block.
 struct PathsOfBlock
 {
@@ -75,9 +78,8 @@ Matter LightPaths::MatterAround(const glm::ivec3& corner) const
 }
 
 template <class Visit>
-void LightPaths::ForEachPart(const glm::ivec3& block, Visit visit) const
+double LightPaths::ForEachPart(const glm::ivec3& block, Visit visit) const
 {
-  constexpr double Nothing = 1e-6;
   const PathsOfBlock paths = PathsOf(this->light, block, double(this->levels.side));
   // Corners are in the middle of cells that are shifted by half a block.
   const Ray shifted{ paths.ray.origin + 0.5, paths.ray.direction };
@@ -96,14 +98,16 @@ void LightPaths::ForEachPart(const glm::ivec3& block, Visit visit) const
       transmitted *= std::exp(-t * paths.leastMm * double(matter.least));
       return transmitted > Nothing;
     });
+  return transmitted;
 }
 
 double LightPaths::ChangeAt(const glm::ivec3& block) const
 {
-  constexpr double BehindNothing = 1e-6; // see ForEachPart
-  double change = BehindNothing;
-  this->ForEachPart(block, [&](const Part& part) { change += part.change; });
-  return std::min(change, 1.0);
+  double change = 0.0;
+  const double transmitted =
+    this->ForEachPart(block, [&](const Part& part) { change += part.change; });
+  const double behind = transmitted > Nothing ? 0.0 : Nothing;
+  return std::min(change + behind, 1.0);
 }
 
 void LightPaths::AddWorst(

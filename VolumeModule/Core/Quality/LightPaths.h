@@ -43,8 +43,9 @@ private:
   };
 
   /// Calls visit(Part) for all parts that change anything, from the block on.
+  /// @return the part of the light that comes through them
   template <class Visit>
-  void ForEachPart(const glm::ivec3& block, Visit visit) const;
+  double ForEachPart(const glm::ivec3& block, Visit visit) const;
   /// Calls visit(place) for the blocks around a corner, as far as they are in the volume.
   template <class Visit>
   void ForEachAround(const glm::ivec3& corner, Visit visit) const;
