@@ -41,10 +41,10 @@ void ConvertTextsToUtf8(DcmDataset& scan, const std::string& image)
   {
     OFString named;
     scan.findAndGetOFStringArray(DCM_SpecificCharacterSet, named);
+    const std::string set = named.empty() ? "none" : named.c_str();
     throw std::runtime_error(image +
-      ": expected texts in the character set that the image names, \"" + named.c_str() +
-      "\", found others, so that the name of the patient would be another one: " +
-      converted.text());
+      ": expected texts in the character set that the image names (" + set +
+      "), found others, so that the name of the patient would be another one: " + converted.text());
   }
 }
 

@@ -18,11 +18,6 @@ namespace
 // Samples between two nodes whose curve is not straight.
 constexpr int SamplesOfCurve = 16;
 
-double Mixed(double from, double to, double part)
-{
-  return from + part * (to - from);
-}
-
 // One look of a change.
 struct Side
 {
@@ -51,28 +46,37 @@ struct Side
   double unitDistances;
 };
 
-// The values at which two curves are sampled, ascending. Those of a step, which belongs to its left
-// side, are followed by the next number.
-std::vector<double> Samples(const TransferFunction& a, const TransferFunction& b)
+// A node of a mixed curve, and the value at which the two curves are read for it.
+struct Sample
+{
+  double node;
+  double value;
+};
+
+// The samples of two curves, ascending. A step, which belongs to its left side, has two at one
+// node.
+std::vector<Sample> Samples(const TransferFunction& a, const TransferFunction& b)
 {
   std::vector<double> nodes = a.NodeValues();
   const std::vector<double> others = b.NodeValues();
   nodes.insert(nodes.end(), others.begin(), others.end());
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  const bool areStraight = a.IsPiecewiseLinear() && b.IsPiecewiseLinear();
+  const bool areStraight = a.IsPiecewiseLinear() && b.IsPiecewiseLinear() &&
+    a.OpacityUnitDistanceMm() == b.OpacityUnitDistanceMm();
   const int parts = areStraight ? 1 : SamplesOfCurve;
-  std::vector<double> samples;
+  std::vector<Sample> samples;
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
-    samples.push_back(nodes[i]);
+    samples.push_back({ nodes[i], nodes[i] });
     if (a.HasStepAt(nodes[i]) || b.HasStepAt(nodes[i]))
     {
-      samples.push_back(std::nextafter(nodes[i], std::numeric_limits<double>::max()));
+      samples.push_back({ nodes[i], std::nextafter(nodes[i], std::numeric_limits<double>::max()) });
     }
     for (int step = 1; step < parts && i + 1 < nodes.size(); ++step)
     {
-      samples.push_back(Mixed(nodes[i], nodes[i + 1], double(step) / parts));
+      const double between = glm::mix(nodes[i], nodes[i + 1], double(step) / parts);
+      samples.push_back({ between, between });
     }
   }
   return samples;
@@ -86,22 +90,23 @@ Shading AsShading(const Look& look)
 
 Shading Mixed(const Shading& from, const Shading& to, double part)
 {
-  return { true, Mixed(from.ambient, to.ambient, part), Mixed(from.diffuse, to.diffuse, part),
-    Mixed(from.specular, to.specular, part), Mixed(from.specularPower, to.specularPower, part) };
+  return { true, glm::mix(from.ambient, to.ambient, part), glm::mix(from.diffuse, to.diffuse, part),
+    glm::mix(from.specular, to.specular, part),
+    glm::mix(from.specularPower, to.specularPower, part) };
 }
 
 void MixCurves(const Side& from, const Side& to, double part, Look& mixed)
 {
   mixed.colors.clear();
   mixed.opacities.clear();
-  for (const double value : Samples(from.function, to.function))
+  for (const auto& [node, value] : Samples(from.function, to.function))
   {
     const double ofFrom = (1.0 - part) * from.Opacity(value);
     const double ofTo = part * to.Opacity(value);
     const double weight = ofFrom + ofTo > 0.0 ? ofTo / (ofFrom + ofTo) : part;
     mixed.colors.push_back(
-      { value, glm::mix(from.function.Color(value), to.function.Color(value), weight) });
-    mixed.opacities.push_back({ value, ofFrom + ofTo });
+      { node, glm::mix(from.function.Color(value), to.function.Color(value), weight) });
+    mixed.opacities.push_back({ node, ofFrom + ofTo });
   }
 }
 
@@ -112,7 +117,7 @@ SceneCuts CutsOnTheirWay(const SceneCuts& cuts, vtkImageData* image, double part
   SceneCuts moved = cuts;
   const SceneCuts none;
   std::transform(none.box.begin(), none.box.end(), cuts.box.begin(), moved.box.begin(),
-    [part](double outside, double place) { return Mixed(outside, place, part); });
+    [part](double outside, double place) { return glm::mix(outside, place, part); });
   for (CutPlane& plane : moved.planes)
   {
     plane = AtDepth(part * DepthOf(plane, image), plane, image);
@@ -135,17 +140,17 @@ Look LookBetween(const Look& from, const Look& to, double part)
   if (sides[0].hasGradient || sides[1].hasGradient)
   {
     mixed.gradientOpacities.clear();
-    for (const double gradient : Samples(sides[0].byGradient, sides[1].byGradient))
+    for (const auto& [node, gradient] : Samples(sides[0].byGradient, sides[1].byGradient))
     {
-      mixed.gradientOpacities.push_back({ gradient,
-        Mixed(sides[0].FactorOfGradient(gradient), sides[1].FactorOfGradient(gradient), part) });
+      mixed.gradientOpacities.push_back({ node,
+        glm::mix(sides[0].FactorOfGradient(gradient), sides[1].FactorOfGradient(gradient), part) });
     }
   }
   if (from.shading.enabled || to.shading.enabled)
   {
     mixed.shading = Mixed(AsShading(from), AsShading(to), part);
   }
-  mixed.dampingGradient = Mixed(from.dampingGradient, to.dampingGradient, part);
+  mixed.dampingGradient = glm::mix(from.dampingGradient, to.dampingGradient, part);
   return mixed;
 }
 

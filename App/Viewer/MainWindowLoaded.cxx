@@ -121,7 +121,14 @@ void MainWindow::ShowWarnings(bool isNewVolume)
     : slices == SliceLayout::Rectified                    ? tr("Show as scanned")
                                                           : QString();
   const std::vector<ScanWarning> found = WarningBar::WarningsOf(this->model.CurrentScene(), study);
-  isNewVolume ? this->warnings->Show(found, remedy) : this->warnings->Update(found, remedy);
+  if (isNewVolume)
+  {
+    this->warnings->Show(found, remedy);
+  }
+  else
+  {
+    this->warnings->Update(found, remedy);
+  }
 }
 
 // Segments are read anew for the other grid, so they are saved before.

@@ -91,7 +91,7 @@ void MainWindow::MakeChangeActions(QMenu* file)
     {
       const SceneCuts& made = this->model.CurrentScene().cuts;
       cuts->setEnabled(made.box != SceneCuts().box || !made.planes.empty());
-      looks->setEnabled(true);
+      looks->menuAction()->setEnabled(true);
     });
 }
 

@@ -87,7 +87,7 @@ void MainWindow::ExportTimes()
         WriteTimesMovie({ this->model.CurrentScene(), this->model.CurrentStudy(),
                           { this->view->Ours()->size(), false, true }, this->timeBar->Speed() },
           path, onProgress);
-      if (!written.problem.isEmpty())
+      if (written.isComplete && !written.problem.isEmpty())
       {
         QMessageBox::warning(this, tr("Export the times"),
           tr("An added scan stays at the time before, since another could not be read: %1")

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace varimarch;
@@ -60,6 +61,26 @@ TEST(SceneChange, OfALookMixesOpacitiesAndTheColorsThatAreSeen)
   EXPECT_NEAR(half.Opacity(15.0), 0.5, 1e-9) << "0.75 over 2 mm is 0.5 over 1 mm";
   EXPECT_NEAR(half.Color(15.0).r, 0.5, 1e-9);
   EXPECT_NEAR(half.Opacity(10.0), 0.25, 1e-9) << "a step belongs to its left side";
+}
+
+TEST(SceneChange, OfALookBeginsWithItsCurveOverAnotherUnitDistance)
+{
+  Look ramp;
+  ramp.colors = { { 0.0, { 1.0, 1.0, 1.0 } } };
+  ramp.opacities = { { 0.0, 0.0 }, { 10.0, 1.0 } };
+  Look thick = ramp;
+  thick.opacityUnitDistanceMm = 2.0 * ramp.opacityUnitDistanceMm;
+  const TransferFunction first = CurvesOf(LookBetween(ramp, thick, 0.0));
+  EXPECT_NEAR(first.Extinction(5.3), CurvesOf(ramp).Extinction(5.3), 0.01);
+}
+
+TEST(SceneChange, OfALookKeepsStepsAsTwoNodesAtOneValue)
+{
+  Look step;
+  step.opacities = { { 0.0, 0.0 }, { 10.0, 0.0 }, { 10.0, 0.75 }, { 20.0, 0.75 } };
+  Look flat = step;
+  flat.opacities = { { 0.0, 0.5 }, { 20.0, 0.5 } };
+  EXPECT_TRUE(CurvesOf(LookBetween(step, flat, 0.5)).HasStepAt(10.0));
 }
 
 TEST(SceneChange, IsForCompositesWithoutRegions)

@@ -227,6 +227,7 @@ TEST_F(Window, OffersMoviesOfCutsAndOfLooksThatCanChange)
   const auto* const cuts = this->window.findChild<QAction*>("exportCuts");
   auto* const looks = this->window.findChild<QMenu*>("exportLookChange");
   EXPECT_FALSE(cuts->isEnabled());
+  EXPECT_TRUE(looks->menuAction()->isEnabled());
   this->Model()->Edit(ScenePart::Cuts, "cut", [](Scene& scene) { scene.cuts.box[1] = 0.5; });
   EXPECT_TRUE(cuts->isEnabled());
   const auto isOffered = [&](const char* preset)

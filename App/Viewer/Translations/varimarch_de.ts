@@ -2633,7 +2633,7 @@ Masken nicht unterstützt</translation>
     </message>
     <message>
         <source>Export a cha&amp;nge of the look from</source>
-        <translation>&amp;Wechsel der Darstellung exportieren ab</translation>
+        <translation>&amp;Wechsel der Darstellung exportieren von</translation>
     </message>
     <message>
         <source>&amp;Mark a key image</source>

@@ -56,7 +56,14 @@ void SliceView::Update(ScenePart part)
     part == ScenePart::Overlays)
   {
     this->texts = this->model->Texts();
-    part == ScenePart::Volume&& this->turns ? this->turns->Await(this) : this->update();
+    if (part == ScenePart::Volume && this->turns)
+    {
+      this->turns->Await(this);
+    }
+    else
+    {
+      this->update();
+    }
   }
   if (part == ScenePart::Slices || part == ScenePart::Labels || part == ScenePart::Segments)
   {

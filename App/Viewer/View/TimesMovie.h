@@ -19,6 +19,7 @@ struct TimesMovie
   TimeSpeed speed;
 };
 
+/// The end of a movie of times.
 struct WrittenTimes
 {
   bool isComplete; ///< false if it was cancelled
