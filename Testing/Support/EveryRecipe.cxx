@@ -121,7 +121,7 @@ std::vector<RenderSettings> RecipesWithStoredGradients()
   return { lit, two, surfaces, counted, joined };
 }
 
-// On devices that round the weights of their filters.
+// The recipes on devices that round the weights of their filters.
 std::vector<RenderSettings> RecipesFilteredByTexels()
 {
   RenderSettings plain;
