@@ -58,8 +58,8 @@ public:
    * set by MaximumGraphicsMemory.
    *
    * With a graphics card too, packets draw Shadows, AmbientOcclusion and scattered light that the
-   * volume dims: they keep light from one image to the next, which takes a shader longer even on
-   * a fast card.
+   * volume dims. They keep light from one image to the next, and need no shader, which takes
+   * seconds to compile.
    *
    * Packets read 8 and 16 bit integers and finite floats in place. Voxels of several components, of
    * other types, or with non-finite values are copied first.

@@ -17,6 +17,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -78,7 +79,7 @@ vtkSmartPointer<vtkActor> ActorOf(vtkAlgorithm* source)
 // the view.
 vtkSmartPointer<vtkActor> BallOf(int triangles, const Surroundings& around)
 {
-  // Two rows of triangles around each pole, and two triangles in each of the other quadrangles.
+  // A row of triangles around each pole, and two triangles in each of the quadrangles between.
   const int side = int(std::lround(std::sqrt(0.25 * triangles)));
   vtkNew<vtkSphereSource> ball;
   ball->SetThetaResolution(2 * side);
@@ -202,8 +203,11 @@ BesideCost CostOf(const BesideCase& measured, int rounds)
     firstMs.push_back(with.NextMs());
     for (int frame = 0; frame < FramesOfRound; ++frame)
     {
-      withoutMs.push_back(without.NextMs());
-      withMs.push_back(with.NextMs());
+      const bool beginsWithout = (round + frame) % 2 == 0;
+      const double firstOfTwoMs = beginsWithout ? without.NextMs() : with.NextMs();
+      const double secondOfTwoMs = beginsWithout ? with.NextMs() : without.NextMs();
+      withoutMs.push_back(beginsWithout ? firstOfTwoMs : secondOfTwoMs);
+      withMs.push_back(beginsWithout ? secondOfTwoMs : firstOfTwoMs);
       factors.push_back(withMs.back() / withoutMs.back());
     }
   }

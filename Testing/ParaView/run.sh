@@ -146,6 +146,8 @@ testReferences()
   step "Several processes, against exact pictures"
   local count name line
   row ""
+  row "| processes |$(printf ' %s |' "${references[@]}")"
+  row "|---:|$(printf -- '---|%.0s' "${references[@]}")"
   for count in "${ranks[@]}"
   do
     draw "$count" "Volume (Varimarch)" "exact-$count" "${references[@]}"

@@ -40,7 +40,7 @@ public:
   const VolumeResources& First() const { return this->first; }
   VolumeResources& Other(std::size_t index) { return *this->others[index]; }
   const VolumeResources& Other(std::size_t index) const { return *this->others[index]; }
-  /// The coarse level. Requires a frame that has one.
+  /// A coarser level. Requires a frame that has it.
   VolumeResources& Coarser(std::size_t level) { return *this->coarser[level]; }
   SceneDepthTexture& Depth() { return this->depth; }
   const CasterResources& Casters() const { return this->casters; }

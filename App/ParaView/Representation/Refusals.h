@@ -19,8 +19,8 @@ struct Request
   bool hasSeveral = false; ///< true if the input is a data set of several parts
 };
 
-/// A sentence that says why the parts of a volume cannot be drawn. It is the same on all processes.
-/// Empty if they can.
+/// A sentence that says why the parts of a volume cannot be drawn. It is the same on all processes,
+/// since several are always refused what several parts are. Empty if they can.
 std::string ProblemOfRequest(const Request& request, const std::vector<OwnedPart>& parts);
 
 /// A sentence that says why the parts of this process cannot be drawn in any order; empty if they

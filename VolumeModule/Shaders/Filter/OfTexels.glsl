@@ -1,4 +1,4 @@
-// By the eight texels around the place, with weights as exact as the place itself.
+// The mean of the eight texels around the place, with weights as exact as the place itself.
 
 vec4 Filtered(sampler3D volume, vec3 place)
 {
