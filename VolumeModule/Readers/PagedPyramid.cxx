@@ -134,10 +134,9 @@ std::optional<PagedLevel> PagedPyramid::Coarser(
   const glm::ivec3 voxelCount(level.dimensions[0], level.dimensions[1], level.dimensions[2]);
   const auto placing = PlacingOf(form.geometries[number], form.geometries[this->level]);
   const auto voxelBytes = std::size_t(vtkDataArray::GetDataTypeSize(form.scalarType));
-  const std::uint64_t ownBytes = this->mostBytes / 4; // volumes keep a part of theirs each
   const bool isFiner =
     placing && glm::all(glm::lessThan(placing->scale, glm::dvec3(double(this->side))));
-  if (!isFiner || !ChunkedVoxels::Obstacle(level, voxelBytes, ownBytes).empty())
+  if (!isFiner || !ChunkedVoxels::Obstacle(level, voxelBytes, this->mostBytes).empty())
   {
     return std::nullopt;
   }
@@ -158,6 +157,7 @@ std::optional<PagedLevel> PagedPyramid::Coarser(
     return std::nullopt;
   }
   bytesLeft -= ofBricks;
+  const std::uint64_t ownBytes = this->mostBytes / 4; // of which a part is kept in memory
   auto voxels =
     std::make_unique<ChunkedVoxels>(std::move(ofLevel), facts, this->order.path, ownBytes);
   const vtkSmartPointer<vtkImageData> image =
