@@ -6,6 +6,7 @@
 #include <vtkMatrix3x3.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -25,6 +26,28 @@ glm::dmat4 WorldFromPatient(const Placement& placement, vtkImageData* image)
     motion = glm::rotate(motion, turn[axis], glm::dmat3(1.0)[axis]);
   }
   return glm::translate(motion, -middle);
+}
+
+std::vector<Measure> InPatientCoordinates(
+  std::vector<Measure> measures, const Placement& placement, vtkImageData* image)
+{
+  const glm::dmat4 patientFromWorld = glm::inverse(WorldFromPatient(placement, image));
+  for (Measure& measure : measures)
+  {
+    for (std::array<double, 3>& point : measure.pointsMm)
+    {
+      point = NumbersOf(glm::dvec3(patientFromWorld * glm::dvec4(VectorOf(point), 1.0)));
+    }
+  }
+  return measures;
+}
+
+bool AreTurnedAlike(vtkImageData* first, vtkImageData* second)
+{
+  constexpr double MostDifference = 1e-4;
+  const double* const axes = first->GetDirectionMatrix()->GetData();
+  return std::equal(axes, axes + 9, second->GetDirectionMatrix()->GetData(),
+    [](double a, double b) { return std::abs(a - b) < MostDifference; });
 }
 
 Placement PlacementOf(const glm::dmat4& worldFromPatient, vtkImageData* image)

@@ -8,6 +8,8 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <vector>
+
 namespace varimarch
 {
 
@@ -24,6 +26,13 @@ struct PlacedVolume
 /// The rigid motion of a placement: where a point of the volume's patient coordinates is put. World
 /// space, LPS.
 glm::dmat4 WorldFromPatient(const Placement& placement, vtkImageData* image);
+
+/// Measurements of the world in the patient coordinates of a volume that was put at another place.
+std::vector<Measure> InPatientCoordinates(
+  std::vector<Measure> measures, const Placement& placement, vtkImageData* image);
+
+/// True if the axes of two images have the same directions, but for the rounding of files.
+bool AreTurnedAlike(vtkImageData* first, vtkImageData* second);
 
 /// The placement with this motion. Requires a rotation and a translation.
 Placement PlacementOf(const glm::dmat4& worldFromPatient, vtkImageData* image);

@@ -49,6 +49,25 @@ TEST(Placing, IsFoundAgainFromItsMotion)
   }
 }
 
+TEST(Placing, TakesMeasurementsBackToTheCoordinatesOfThePatient)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(11, 11, 11);
+  Placement placement;
+  placement.turnDegrees = { 0.0, 0.0, 90.0 };
+  placement.moveMm = { 1.0, 2.0, 3.0 };
+  Measure measure;
+  measure.pointsMm = { { 6.0, 12.0,
+    8.0 } }; // the middle is at 5, so the end of x is at the end of y
+  const std::vector<Measure> own = InPatientCoordinates({ measure }, placement, image);
+  EXPECT_NEAR(own[0].pointsMm[0][0], 10.0, 1e-9);
+  EXPECT_NEAR(own[0].pointsMm[0][1], 5.0, 1e-9);
+  EXPECT_NEAR(own[0].pointsMm[0][2], 5.0, 1e-9);
+  EXPECT_FALSE(AreTurnedAlike(image, Placed(image, placement)));
+  placement.turnDegrees = {};
+  EXPECT_TRUE(AreTurnedAlike(image, Placed(image, placement)));
+}
+
 TEST(Placing, PutsEveryVoxelWhereItsMotionSays)
 {
   const auto image = TurnedBox();

@@ -22,45 +22,12 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include <vtkMatrix3x3.h>
-
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <stdexcept>
 
 namespace varimarch
 {
-
-namespace
-{
-
-// The measurements of the world as those of a volume that was put at another place.
-std::vector<Measure> InPatientCoordinates(
-  std::vector<Measure> measures, const Placement& placement, vtkImageData* image)
-{
-  const glm::dmat4 patientFromWorld = glm::inverse(WorldFromPatient(placement, image));
-  for (Measure& measure : measures)
-  {
-    for (std::array<double, 3>& point : measure.pointsMm)
-    {
-      point = NumbersOf(glm::dvec3(patientFromWorld * glm::dvec4(VectorOf(point), 1.0)));
-    }
-  }
-  return measures;
-}
-
-bool AreTurnedAlike(vtkImageData* first, vtkImageData* second)
-{
-  constexpr double MostDifference = 1e-4; // files round directions
-  const double* const axes = first->GetDirectionMatrix()->GetData();
-  return std::equal(axes, axes + 9, second->GetDirectionMatrix()->GetData(),
-    [](double a, double b) { return std::abs(a - b) < MostDifference; });
-}
-
-}
 
 MeasuresPanel::MeasuresPanel(SceneModel* model, QWidget* parent)
   : QWidget(parent)
