@@ -57,8 +57,8 @@ TEST(Placing, TakesMeasurementsBackToTheCoordinatesOfThePatient)
   placement.turnDegrees = { 0.0, 0.0, 90.0 };
   placement.moveMm = { 1.0, 2.0, 3.0 };
   Measure measure;
-  measure.pointsMm = { { 6.0, 12.0,
-    8.0 } }; // the middle is at 5, so the end of x is at the end of y
+  // The middle is at 5; the turn takes the end of x, at 10, to the end of y.
+  measure.pointsMm = { { 6.0, 12.0, 8.0 } };
   const std::vector<Measure> own = InPatientCoordinates({ measure }, placement, image);
   EXPECT_NEAR(own[0].pointsMm[0][0], 10.0, 1e-9);
   EXPECT_NEAR(own[0].pointsMm[0][1], 5.0, 1e-9);

@@ -157,7 +157,7 @@ std::optional<PagedLevel> PagedPyramid::Coarser(
     return std::nullopt;
   }
   bytesLeft -= ofBricks;
-  const std::uint64_t ownBytes = this->mostBytes / 4; // of which a part is kept in memory
+  const std::uint64_t ownBytes = this->mostBytes / 4; // each keeps a part of its own
   auto voxels =
     std::make_unique<ChunkedVoxels>(std::move(ofLevel), facts, this->order.path, ownBytes);
   const vtkSmartPointer<vtkImageData> image =
