@@ -191,10 +191,10 @@ TEST(PictureThread, StopsASearchForStepsOncePicturesOfAnotherLookAreWanted)
 {
   const auto study = StudyOf({ ProceduralKind::Torso, { 160, 160, 160 }, 1 });
   Scene scene = SceneOfThread();
-  scene.render.errorTolerance = 1e-6; // its search takes seconds
+  scene.render.errorTolerance = 1e-6; // its search takes ten seconds for an image of that size
   PictureThread thread;
   thread.Take(ScenePart::Volume, scene, study);
-  thread.Draw({ { 1600, 1200 }, PicturesPerSecondAtRest });
+  thread.Draw({ { 4000, 4000 }, PicturesPerSecondAtRest });
   QTest::qSleep(300);
   scene.render.errorTolerance = 1.0 / 16.0;
   thread.Take(ScenePart::Render, scene, study);
