@@ -146,12 +146,13 @@ public:
    * V / (V + strength (1 - V)): at 1 light is reflected once, below that matter also reflects the
    * light of other matter. V is that two voxels outside the surface of a sample
    * (Documentation/Mathematics.md); a box of voxels without interpolation has that of its middle,
-   * and with LabelSurfaces a label has a surface of its own. The error tolerance holds for the
+   * and with LabelSurfaces a label has a surface of its own; so has each of several components,
+   * where the component changes that determines its opacity. The error tolerance holds for the
    * image with its occlusion, which needs one: without a tolerance, and below 1/128, it takes very
-   * long. For composites of one component, lit or not. Packets of rays on the processor draw it
-   * where they can (see ProcessorMarching), also with a graphics card, and keep the light while the
-   * volume and its look stay, in up to a byte for each voxel. Shaders draw the rest of
-   * single volumes, such as gaps beside gradients; they compute all light again in each image.
+   * long. For composites, lit or not. Packets of rays on the processor draw it where they can (see
+   * ProcessorMarching), also with a graphics card, and keep the light while the volume and its look
+   * stay, in up to a byte for each voxel. Shaders draw the rest, such as gaps beside gradients, but
+   * not volumes that do not fit into graphics memory; they compute all light again in each image.
    * Without a graphics card they may have to stop behind translucent matter; the mapper then warns
    * that the tolerance may be missed. Images during interaction (see MinimumImageSampleDistance)
    * leave occlusion out. Default: 0, no occlusion.

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace varimarch;
@@ -217,6 +218,13 @@ std::vector<std::string> OverlapScene::ShaderParts()
     names.push_back(parts->GetValue(i));
   }
   return names;
+}
+
+bool UsesPart(OverlapScene& scene, const std::string& folder)
+{
+  const std::vector<std::string> parts = scene.ShaderParts();
+  return std::any_of(parts.begin(), parts.end(),
+    [&](const std::string& part) { return part.rfind(folder, 0) == 0; });
 }
 
 vtkSmartPointer<vtkImageData> CenteredImage(

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// One of several volumes, in the world.
@@ -94,6 +95,9 @@ inline vtkVariationFieldVolumeMapper* MapperOf(OverlapScene& scene)
 {
   return scene.mapper->GetVariationFieldMapper();
 }
+
+/// True if the last shader has a file of a folder, or this file.
+bool UsesPart(OverlapScene& scene, const std::string& folder);
 
 /// An image of doubles over a box centred at the world's origin [mm].
 vtkSmartPointer<vtkImageData> CenteredImage(

@@ -1,7 +1,7 @@
 // Shadows, scattered light and ambient occlusion of volumes that overlap: optical depths add up
 // along a ray to a light.
 
-#include "Module/OverlapLight.h"
+#include "Module/MixedBalls.h"
 
 #include <vtkPlane.h>
 
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 using namespace varimarch;
 
@@ -71,13 +72,6 @@ void ExpectWithin(const std::vector<float>& drawn, const std::vector<float>& tru
   EXPECT_LT(ErrorOf(drawn, truth).percentile999, 255.0 * Tolerance);
 }
 
-bool UsesPart(OverlapScene& scene, const std::string& folder)
-{
-  const std::vector<std::string> parts = scene.ShaderParts();
-  return std::any_of(parts.begin(), parts.end(),
-    [&](const std::string& part) { return part.rfind(folder, 0) == 0; });
-}
-
 }
 
 // The light at a place is exp of minus the summed optical depths of the lengths in both boxes.
@@ -134,6 +128,22 @@ TEST(VolumesInLight, OneOfThemInBoxesKeepTheErrorTolerance)
   const OverlapLight light{ { { fromTheSide } } };
   UseLight(balls.scene, light);
   ExpectWithin(balls.DrawnByPackets(), TruthInLight(balls.scene, light, 1e-3));
+}
+
+// Rays of the eye go from face to face, and the light from all around is that of whole boxes, but
+// lamps are sampled.
+TEST(VolumesInLight, AllInBoxesKeepTheErrorTolerance)
+{
+  LitBalls balls(8, { true, true, true, true });
+  OverlapLight light{ { { fromTheSide } } };
+  for (const auto& [hasShadows, occlusion] : { std::pair(false, 0.8), std::pair(true, 0.0) })
+  {
+    light.hasShadows = hasShadows;
+    light.occlusion = occlusion;
+    UseLight(balls.scene, light);
+    ExpectWithin(balls.DrawnByPackets(), TruthInLight(balls.scene, light, 1e-3));
+    EXPECT_EQ(MapperOf(balls.scene)->GetToleranceSearches() > 0, hasShadows);
+  }
 }
 
 TEST(VolumesInLight, OfASoftLightKeepTheErrorTolerance)
@@ -236,44 +246,19 @@ INSTANTIATE_TEST_SUITE_P(EveryCaster, ShadowOnAnother, testing::Values(Caster::L
 // Two volumes with the same voxels are one volume with two components.
 TEST(VolumesInLight, AreLikeComponentsOfOne)
 {
-  const OverlapLight light{ { { fromTheSide } } };
-  const auto first = [](glm::ivec3 voxel) { return BallField(glm::dvec3(voxel), { 6, 7, 6 }); };
-  const auto second = [](glm::ivec3 voxel) { return BallField(glm::dvec3(voxel), { 8, 6, 8 }); };
-  const glm::ivec3 size(14, 15, 13);
-  OverlapScene volumes(24);
-  OverlapScene components(24);
-  const auto place = [](vtkImageData* image) { image->SetOrigin(-6.5, -7.0, -6.0); };
-  for (int i = 0; i < 2; ++i)
+  MixedBalls balls(24);
+  balls.Use({ { { fromTheSide } } });
+  for (OverlapScene* scene : { &balls.volumes, &balls.components })
   {
-    const auto image = ImageOf(
-      VTK_FLOAT, 1, [&](glm::ivec3 voxel, int) { return i ? second(voxel) : first(voxel); }, size);
-    place(image);
-    volumes.Add(i, image, ballLooks[i])->GetProperty()->ShadeOn();
-  }
-  const auto both = ImageOf(
-    VTK_FLOAT, 2, [&](glm::ivec3 voxel, int i) { return i ? second(voxel) : first(voxel); }, size);
-  place(both);
-  vtkVolume* const one = components.Add(0, both, ballLooks[0]);
-  one->GetProperty()->IndependentComponentsOn();
-  one->GetProperty()->ShadeOn();
-  SetLook(one->GetProperty(), 1, ballLooks[1]);
-  for (OverlapScene* scene : { &volumes, &components })
-  {
-    UseLight(*scene, light);
     MapperOf(*scene)->SetErrorTolerance(1.0 / 255.0);
   }
-  for (int i = 0; i < 2; ++i)
-  {
-    one->GetProperty()->SetAmbient(i, 0.0);
-    one->GetProperty()->SetDiffuse(i, 0.8);
-    one->GetProperty()->SetSpecular(i, 0.0);
-  }
-  const std::vector<float> drawn = volumes.DrawByProcessor();
-  const std::vector<float> ofComponents = components.DrawByProcessor();
-  EXPECT_TRUE(components.ShaderParts().empty()) << "a shader has drawn it";
+  const std::vector<float> drawn = balls.volumes.DrawByProcessor();
+  const std::vector<float> ofComponents = balls.components.DrawByProcessor();
+  EXPECT_TRUE(balls.components.ShaderParts().empty()) << "a shader has drawn it";
   EXPECT_LT(ErrorOf(drawn, ofComponents).percentile999, 2.0);
-  MapperOf(volumes)->ShadowsOff();
-  EXPECT_GT(ErrorOf(volumes.DrawByProcessor(), drawn).percentile999, 10.0) << "shadows are seen";
+  MapperOf(balls.volumes)->ShadowsOff();
+  EXPECT_GT(ErrorOf(balls.volumes.DrawByProcessor(), drawn).percentile999, 10.0)
+    << "shadows are seen";
 }
 
 // Shaders of a software rasterizer have long steps, which short rays bear.

@@ -40,7 +40,7 @@ std::vector<RenderSettings> RecipesOfOcclusion()
 {
   RenderSettings plain;
   plain.occlusion = true;
-  std::vector<RenderSettings> recipes(9, plain);
+  std::vector<RenderSettings> recipes(12, plain);
   recipes[0].integration = Integration::PreIntegrated;
   recipes[1].shading = true;
   recipes[1].lights = true;
@@ -63,6 +63,15 @@ std::vector<RenderSettings> RecipesOfOcclusion()
   recipes[8].cropping = true;
   recipes[8].gaps = true;
   recipes[8].pass = RayPass::PictureAndDepth;
+  recipes[9].components = Components::Independent;
+  recipes[9].componentCount = 3;
+  recipes[9].integration = Integration::PreIntegrated;
+  recipes[10].components = Components::LuminanceOpacity;
+  recipes[10].componentCount = 2;
+  recipes[10].nearest = true;
+  recipes[11].components = Components::Rgba;
+  recipes[11].componentCount = 4;
+  recipes[11].gradientOpacity = true;
   return recipes;
 }
 

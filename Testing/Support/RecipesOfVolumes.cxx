@@ -61,7 +61,17 @@ std::vector<RenderSettings> RecipesOfVolumesInLight()
   RenderSettings cut = unlit;
   cut.clipping = true;
   cut.others = { lit, lit };
-  return { first, cut };
+  RenderSettings occluded = lit;
+  occluded.shadows = occluded.softLights = occluded.casters = occluded.shadowsOthers = false;
+  occluded.occlusion = occluded.occludesOthers = true;
+  RenderSettings dimmed = occluded;
+  dimmed.components = Components::One;
+  dimmed.shadows = dimmed.shadowsOthers = dimmed.clipping = true;
+  boxes.occlusion = boxes.occludesOthers = true;
+  dimmed.others = { boxes };
+  boxes.shadowsOthers = false;
+  occluded.others = { boxes, boxes };
+  return { first, cut, occluded, dimmed };
 }
 
 }

@@ -139,40 +139,6 @@ TEST(ShaderRecipe, CastersTakeNothingWithoutShadows)
   EXPECT_TRUE(has(Changed(lit), "Casters/Triangles.glsl"));
 }
 
-TEST(ShaderRecipe, AmbientOcclusionIsAFileOfItsSlotWithRaysThroughTheVolume)
-{
-  const auto partsOf = [](const RenderSettings& settings)
-  {
-    const Parts wanted = { "Gradient/", "Through/", "Outside/", "Sky/" };
-    Parts found;
-    for (const std::string& part : FragmentShaderParts(settings))
-    {
-      const std::string slot = part.substr(0, part.find('/') + 1);
-      if (std::count(wanted.begin(), wanted.end(), slot) > 0)
-      {
-        found.push_back(part);
-      }
-    }
-    return found;
-  };
-  RenderSettings settings = plain;
-  EXPECT_EQ(partsOf(settings), Parts());
-  settings.occlusion = true;
-  EXPECT_EQ(partsOf(settings),
-    (Parts{ "Gradient/CentralDifferences.glsl", "Through/Segments.glsl", "Outside/Scalars.glsl",
-      "Sky/OpenSky.glsl" }));
-  settings.functionOf = FunctionOf::TwoValues;
-  EXPECT_EQ(partsOf(settings).front(), "Gradient/CentralDifferences.glsl");
-  settings.functionOf = FunctionOf::Value;
-  settings.nearest = true;
-  EXPECT_EQ(partsOf(settings)[1], "Through/Voxels.glsl");
-  settings.uneven = true;
-  EXPECT_EQ(partsOf(settings)[1], "Through/Segments.glsl");
-  settings.mask = Mask::Labels;
-  settings.labelSurfaces = true;
-  EXPECT_EQ(partsOf(settings)[2], "Outside/Labels.glsl");
-}
-
 TEST(ShaderRecipe, ASplineChangesHowTheVolumeIsReadAndItsGradients)
 {
   RenderSettings cubic = plain;
@@ -324,38 +290,15 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
       "Probe/None.glsl", "Gaps/None.glsl", "Classify/OpticalTable.glsl",
       "Gradient/CentralDifferences.glsl", "Shade/HeadLight.glsl", "GradientOpacity/None.glsl",
       "Values/One.glsl", "Material/OneComponent.glsl", "Damping/None.glsl", "Step/Fixed.glsl",
-      "Reading/Cells.glsl", "Volumes/Next.glsl",
+      "Sky/None.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
       // The other volume.
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
       "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
       "Probe/None.glsl", "Gaps/None.glsl", "Classify/OpticalTable.glsl", "Gradient/None.glsl",
       "Shade/None.glsl", "GradientOpacity/None.glsl", "Values/One.glsl",
-      "Material/OneComponent.glsl", "Step/Fixed.glsl", "Reading/Cells.glsl", "Volumes/Next.glsl",
-      "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl", "Window/None.glsl",
-      "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
-}
-
-TEST(ShaderRecipe, VolumesThatTakeLightFromEachOtherHaveFilesForIt)
-{
-  RenderSettings unlit;
-  unlit.overlaps = true;
-  RenderSettings lit = unlit;
-  lit.shading = lit.lights = lit.shadows = true;
-  const auto countOf = [](const RenderSettings& settings, const char* file)
-  {
-    const Parts parts = FragmentShaderParts(settings);
-    return std::count(parts.begin(), parts.end(), file);
-  };
-  for (const bool areInShadow : { false, true })
-  {
-    unlit.shadowsOthers = lit.shadowsOthers = lit.shadows = areInShadow;
-    RenderSettings first = unlit;
-    first.others = { lit, lit };
-    EXPECT_EQ(countOf(first, "Around/Volumes.glsl"), areInShadow ? 3 : 0);
-    EXPECT_EQ(countOf(first, "Reach/ShadowRays.glsl"), areInShadow ? 2 : 0);
-    EXPECT_EQ(countOf(first, "DepthOfNone.glsl"), areInShadow ? 1 : 0);
-    EXPECT_EQ(countOf(first, "DepthOfAll.glsl"), areInShadow ? 1 : 0);
-  }
+      "Material/OneComponent.glsl", "Step/Fixed.glsl", "Sky/None.glsl", "Reading/Cells.glsl",
+      "Volumes/Next.glsl", "March/Several.glsl", "Mask/None.glsl", "Crop/None.glsl",
+      "Window/None.glsl", "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)

@@ -54,6 +54,8 @@ struct MaterialRequest
   double shadowReachMm = 0.0; ///< The distance beyond which matter casts no shadow.
   double occlusion = 0.0;     ///< The strength of ambient occlusion, [0, 1].
   double occlusionReachMm = 0.0;
+  double occluderVoxelMm = 0.0; ///< The smallest spacing of the volumes that occlude.
+  double occludersMm = 0.0;     ///< An upper bound of the length of a ray within these volumes.
   SliceSurface slice = {};
   std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.
   /// Colour and extinction [1/mm] of cells without a value.

@@ -142,8 +142,7 @@ RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* re
   const LightTexels dimmed = dims ? LightTexelsOf(renderer) : LightTexels();
   settings.shadows = dimmed.distantCount + dimmed.nearCount > 0;
   settings.softLights = RaysToLights(dimmed) > dimmed.distantCount + dimmed.nearCount;
-  settings.occlusion = settings.blend == Blend::Composite &&
-    settings.components == Components::One && mapper->GetAmbientOcclusion() > 0.0;
+  settings.occlusion = settings.blend == Blend::Composite && mapper->GetAmbientOcclusion() > 0.0;
   settings.damping = settings.shading && settings.components == Components::One &&
     mapper->GetDampingGradient() > 0.0;
   settings.countFetches = mapper->GetDrawFetchCounts();

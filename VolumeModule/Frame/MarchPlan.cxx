@@ -11,9 +11,8 @@ namespace
 
 void TakePlan(const MarchPlan& plan, RenderSettings& settings)
 {
-  const bool isWhole = plan.pass != RayPass::Block && !settings.overlaps;
-  const bool mayOcclude =
-    (plan.marcher == Marcher::Processor || isWhole) && plan.isLit && !plan.isInteractive;
+  const bool isWhole = plan.marcher == Marcher::Processor || plan.pass != RayPass::Block;
+  const bool mayOcclude = isWhole && plan.isLit && !plan.isInteractive;
   settings.filter = settings.nearest ? Filter::OfDevice : plan.filter;
   settings.shading = settings.shading && plan.isLit;
   settings.occlusion = settings.occlusion && mayOcclude;

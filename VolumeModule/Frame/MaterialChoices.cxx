@@ -189,6 +189,8 @@ void ChooseLight(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
   frame.material.occlusion = mapper->GetAmbientOcclusion();
   frame.material.occlusionReachMm =
     OcclusionReachMm(mapper->GetAmbientOcclusionReach(), frame.geometry);
+  frame.material.occluderVoxelMm = frame.geometry.SmallestSpacingMm();
+  frame.material.occludersMm = frame.geometry.DiagonalMm();
 }
 
 void ChooseSurfaceComponent(Frame& frame)

@@ -51,6 +51,12 @@ void CheckTogether(const Frame& frame, vtkVariationFieldVolumeMapper* mapper)
   }
 }
 
+bool IsAny(const std::vector<Frame>& frames, bool RenderSettings::*choice)
+{
+  return std::any_of(
+    frames.begin(), frames.end(), [&](const Frame& frame) { return frame.settings.*choice; });
+}
+
 // Everything that the light from all around depends on, in all volumes.
 std::vector<double> OccludersOf(const std::vector<Frame>& frames)
 {
@@ -77,32 +83,44 @@ void ShareCasters(std::vector<Frame>& frames)
   }
 }
 
-// Light goes through all volumes, and equally far through each.
-void ShareLight(std::vector<Frame>& frames)
+// Light from all around goes through all volumes, and equally far through each.
+void ShareSky(std::vector<Frame>& frames)
 {
-  const auto any = [&](bool RenderSettings::*choice)
-  {
-    return std::any_of(
-      frames.begin(), frames.end(), [&](const Frame& frame) { return frame.settings.*choice; });
-  };
-  const bool areInShadow = any(&RenderSettings::shadows);
-  const bool areOccluded = any(&RenderSettings::occlusion);
-  double shadowReachMm = 0.0;
-  double occlusionReachMm = frames.front().material.occlusionReachMm;
+  const bool areOccluded = IsAny(frames, &RenderSettings::occlusion);
+  MaterialRequest shared = frames.front().material;
+  shared.occludersMm = 0.0;
   for (const Frame& frame : frames)
   {
-    shadowReachMm = std::max(shadowReachMm, frame.material.shadowReachMm);
-    occlusionReachMm = std::min(occlusionReachMm, frame.material.occlusionReachMm);
+    const MaterialRequest& own = frame.material;
+    shared.occlusionReachMm = std::min(shared.occlusionReachMm, own.occlusionReachMm);
+    shared.occluderVoxelMm = std::min(shared.occluderVoxelMm, own.occluderVoxelMm);
+    shared.occludersMm += own.occludersMm;
   }
   const std::vector<double> occluders = areOccluded ? OccludersOf(frames) : std::vector<double>();
   for (Frame& frame : frames)
   {
-    frame.settings.shadowsOthers = areInShadow;
     frame.settings.occludesOthers = areOccluded;
-    frame.material.shadowReachMm = shadowReachMm;
-    frame.material.occlusionReachMm = occlusionReachMm;
+    frame.material.occlusionReachMm = shared.occlusionReachMm;
+    frame.material.occluderVoxelMm = shared.occluderVoxelMm;
+    frame.material.occludersMm = shared.occludersMm;
     frame.quality.budget.isOccluded = areOccluded;
     frame.occluders = occluders;
+  }
+}
+
+// Light from lamps goes through all volumes, and equally far through each.
+void ShareLight(std::vector<Frame>& frames)
+{
+  const bool areInShadow = IsAny(frames, &RenderSettings::shadows);
+  double shadowReachMm = 0.0;
+  for (const Frame& frame : frames)
+  {
+    shadowReachMm = std::max(shadowReachMm, frame.material.shadowReachMm);
+  }
+  for (Frame& frame : frames)
+  {
+    frame.settings.shadowsOthers = areInShadow;
+    frame.material.shadowReachMm = shadowReachMm;
   }
   ShareCasters(frames);
 }
@@ -162,6 +180,7 @@ Frame JoinFrames(std::vector<Frame> frames, vtkVariationFieldVolumeMapper* mappe
     KeepPlanes(frame, mapper);
   }
   ShareLight(frames);
+  ShareSky(frames);
   Frame first = std::move(frames.front());
   double sampleDistanceMm = first.quality.sampleDistanceMm;
   for (std::size_t i = 1; i < frames.size(); ++i)

@@ -46,8 +46,8 @@ std::string LightWarnings(const RayMarcher& marcher)
   if (marcher.LeavesOutOcclusion())
   {
     warnings +=
-      "The volume has no ambient occlusion, because it overlaps others or does not fit into the "
-      "graphics memory at once, and ";
+      "The volume has no ambient occlusion, because it does not fit into the graphics memory at "
+      "once, and ";
     warnings += ReasonForShaders;
   }
   if (marcher.LeavesOutCasters())

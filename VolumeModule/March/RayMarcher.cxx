@@ -53,12 +53,11 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
   this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
-  this->leavesOutOcclusion = IsInWayOfSky(frame.settings) && plan.marcher == Marcher::Device &&
-    (frame.settings.overlaps || this->resources.IsInBlocks());
+  this->leavesOutOcclusion =
+    IsInWayOfSky(frame.settings) && plan.marcher == Marcher::Device && this->resources.IsInBlocks();
   this->leavesOutCasters = frame.casters.areTooMany;
   this->hasLongShadowSteps = varimarch::HasLongShadowSteps(MarchOf(frame, plan));
-  this->hasFewSkyPlaces =
-    varimarch::HasFewSkyPlaces(MarchOf(frame, plan), this->resources.First().Light().Sky());
+  this->hasFewSkyPlaces = this->FindFewSkyPlaces(frame, plan);
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
 }
@@ -86,6 +85,19 @@ void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
     left->PopContext();
   }
   this->window = newWindow;
+}
+
+bool RayMarcher::FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan)
+{
+  bool areFew =
+    varimarch::HasFewSkyPlaces(MarchOf(frame, plan), this->resources.First().Light().Sky());
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    areFew = areFew ||
+      varimarch::HasFewSkyPlaces(
+        MarchOfOther(frame, plan, i), this->resources.Other(i).Light().Sky());
+  }
+  return areFew;
 }
 
 void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)

@@ -107,6 +107,8 @@ private:
   /// Updates the resources of a frame, and plans its march.
   MarchPlan Prepare(const Frame& frame, const std::optional<PictureQuality>& quality);
   void EnterWindow(vtkOpenGLRenderWindow* window);
+  /// True for a frame if HasFewSkyPlaces is true for any of its volumes.
+  bool FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan);
   /// Chooses the marcher, and updates everything that it reads.
   void UpdateResources(const Frame& frame, MarchPlan& plan);
   void ChooseMarcher(const Frame& frame, MarchPlan& plan);

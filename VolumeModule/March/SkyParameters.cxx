@@ -1,6 +1,7 @@
 #include "March/SkyParameters.h"
 
 #include "Core/Geometry/SphereQuadrature.h"
+#include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/FrameMeasures.h"
 #include "March/Processor/SoftwareRasterizer.h"
 
@@ -31,21 +32,26 @@ double IterationsOfPlace(const VolumeMarch& march, const PacketSky& sky)
   constexpr double MostBoxesPerVoxel = 1.75;
   constexpr double SegmentsPerIteration = 4.0;
   constexpr double BoxesPerIteration = 3.0;
-  const double reachMm =
-    std::min(march.frame.material.occlusionReachMm, march.frame.geometry.DiagonalMm());
-  const double ofRay = march.settings.nearest
-    ? MostBoxesPerVoxel / BoxesPerIteration * reachMm / march.frame.geometry.SmallestSpacingMm()
-    : (reachMm / double(sky.stepMm) + MoreSegments) / SegmentsPerIteration;
+  const MaterialRequest& material = march.frame.material;
+  const double reachMm = std::min(material.occlusionReachMm, material.occludersMm);
+  const double ofBoxes = MostBoxesPerVoxel / BoxesPerIteration * reachMm / material.occluderVoxelMm;
+  const double ofSegments = (reachMm / double(sky.stepMm) + MoreSegments) / SegmentsPerIteration;
+  const double ofRay = march.settings.overlaps ? std::max(ofBoxes, ofSegments)
+    : march.settings.nearest                   ? ofBoxes
+                                               : ofSegments;
   const double ofPlanes = 1.0 + double(march.frame.cuts.planesGrid.size());
-  return SphereDirections * (1.0 + ofPlanes + std::ceil(ofRay));
+  const double volumes = march.plan.budget.volumeCount;
+  return SphereDirections * (1.0 + ofPlanes + volumes * std::ceil(ofRay));
 }
 
 // The largest number of places that a ray may have.
 double PlacesOfRay(const VolumeMarch& march)
 {
   const glm::ivec3& voxels = march.frame.geometry.dimensions;
-  return march.settings.nearest ? double(voxels.x + voxels.y + voxels.z)
-                                : march.frame.geometry.DiagonalMm() / SkyPlacesMm(march);
+  const double places = march.settings.nearest
+    ? double(voxels.x + voxels.y + voxels.z)
+    : march.frame.geometry.DiagonalMm() / SkyPlacesMm(march);
+  return places * PartCount(march.settings);
 }
 
 bool EndsLongShaders(Marcher marcher)
@@ -59,22 +65,25 @@ double TracesOfPlace(const RenderSettings& settings)
 {
   constexpr double Usual = 2.0;
   constexpr double OfPieces = 4.0;
-  const bool hasPieces =
-    settings.nearest || settings.cropping || settings.gaps || settings.mask != Mask::None;
+  const bool hasPieces = settings.nearest || settings.cropping || settings.gaps ||
+    settings.mask != Mask::None || settings.overlaps;
   return hasPieces ? OfPieces : Usual;
 }
 
-// The rays to all sides have the iterations that the segments of the rays of the eye leave.
+// The rays to all sides have the iterations that the segments of the rays of the eye leave, and
+// volumes that overlap have equal parts of them.
 int MostSkyPlaces(const VolumeMarch& march, const PacketSky& sky)
 {
   if (!EndsLongShaders(march.plan.marcher))
   {
     return std::numeric_limits<int>::max();
   }
-  constexpr double IterationsOfSegment = 6.0;
-  const double segments = march.frame.geometry.DiagonalMm() / march.plan.sampleDistanceMm;
-  const double left = MostIterationsOfLight(march.settings) - IterationsOfSegment * segments;
-  return std::max(int(left / (TracesOfPlace(march.settings) * IterationsOfPlace(march, sky))), 1);
+  const double volumes = march.plan.budget.volumeCount;
+  const double iterationsOfSegment = std::max(6.0, 2.0 + 2.0 * volumes);
+  const double segments = march.frame.material.occludersMm / march.plan.sampleDistanceMm;
+  const double left = MostIterationsOfLight(march.settings) - iterationsOfSegment * segments;
+  const double ofPlaces = TracesOfPlace(march.settings) * IterationsOfPlace(march, sky) * volumes;
+  return std::max(int(left / ofPlaces), 1);
 }
 
 }
@@ -99,13 +108,13 @@ bool HasFewSkyPlaces(const VolumeMarch& march, const PacketSky& sky)
 
 double ShortestDistanceWithSkyMm(const Frame& frame, Marcher marcher)
 {
-  const bool isShared = frame.settings.occlusion && EndsLongShaders(marcher);
+  const bool isShared = IsInWayOfSky(frame.settings) && EndsLongShaders(marcher);
   return (isShared ? 4.0 : 1.0) * ShortestSampleDistanceMm(frame, marcher);
 }
 
 double MostIterationsOfLight(const RenderSettings& settings)
 {
-  return MostShaderIterations * (settings.shadows && settings.occlusion ? 0.5 : 1.0);
+  return MostShaderIterations * (IsInWayOfLights(settings) && IsInWayOfSky(settings) ? 0.5 : 1.0);
 }
 
 }

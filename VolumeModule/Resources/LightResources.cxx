@@ -160,8 +160,11 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
     this->sky.directions[i] = glm::dvec4(gridFromWorld * one.direction, one.weight);
   }
   // The light that is kept changes by up to 1 / strength times what rays miss.
-  const double error = strength * march.plan.budget.LightError() / march.plan.budget.volumeCount;
-  const double voxelMm = march.frame.geometry.SmallestSpacingMm();
+  const double error = strength * march.plan.budget.LightError() / LatticesOfALight(march);
+  // Shaders march rays through all volumes by the same steps.
+  const double voxelMm = march.plan.marcher == Marcher::Device
+    ? march.frame.material.occluderVoxelMm
+    : march.frame.geometry.SmallestSpacingMm();
   if (!(error > 0.0))
   {
     this->sky.stepMm = float(std::min(voxelMm, march.plan.sampleDistanceMm));

@@ -19,6 +19,12 @@ Interval InOwnBox(Ray ray, float farMm)
   return Interval(max(box.x, 0.0), min(box.y, farMm));
 }
 
+// The optical depth of a part of a ray, marched as its length asks for.
+float DepthOf(Ray ray, Interval inside, ShadowMarch march)
+{
+  return march.isNear ? DepthNear(ray, inside, march) : DepthAlong(ray, inside, march);
+}
+
 // True if cropping, the mask and gaps leave the volume at t. Sets labelRow for it.
 bool IsSeen(Ray ray, float t)
 {

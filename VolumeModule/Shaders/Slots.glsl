@@ -32,6 +32,7 @@ struct ShadowMarch
   float firstMm;   // first segment [mm]
   float longestMm; // longest segment [mm]
   float mostDepth; // optical depth beyond which no light is left
+  bool isNear;     // true for a ray of a few segments, which does not look for invisible bricks
 };
 
 // --- Depth: opaque geometry ends rays ---

@@ -182,7 +182,8 @@ vec3 GradientOfLabel(vec3 positionGrid);
 //   Gradients Between(Gradients start, Gradients end, float along);
 //     Linear interpolation, with `along` in [0,1].
 //   Values WithAdded(Values values, float scalar);
-//     The values with a number added to the first scalar. Only for Sky/OpenSky.glsl.
+//     The values with a number added to the first scalar, or to each of several components. Only
+//     for Outside.
 //   bool MayAbsorb(Values start, Values end);
 //     True if any value between the two may absorb light.
 
@@ -193,22 +194,28 @@ vec3 GradientOfLabel(vec3 positionGrid);
 
 // --- Material: the look of a point. Only if it depends on more than one scalar ---
 // Defines:
-//   vec4 Material(Values values, Gradients gradients, Ray ray, float t);
-//     The colour after lighting, not premultiplied, and the extinction [1/mm].
+//   vec4 Material(Values values, Gradients gradients, vec4 kept, Ray ray, float t);
+//     The colour after lighting, not premultiplied, and the extinction [1/mm]. kept has the part of
+//     its light that each material keeps, see Sky; a single one has the first.
 //   float MaterialExtinction(Values values, Gradients gradients);
 //     The extinction alone [1/mm].
 
-// --- Outside: the place from which a surface sees what is around it. Only for Sky/OpenSky.glsl ---
-// Defines:
-//   vec3 OwnWayOutside(vec3 wayOfScalars, Gradients gradients, vec3 positionGrid);
-//     The way from a position to this place [grid], 0 where there is no surface; wayOfScalars is
-//     that out of a surface where scalars change.
+// --- Outside: the places from which surfaces see what is around them. Only for Sky/OpenSky.glsl
+// --- Defines:
+//   int SurfaceCount();
+//     The number of surfaces that a position may have, one for each material.
+//   bool HasSurface(int material, Values values, Gradients gradients);
+//     True if the material may be near the position.
+//   vec3 OwnWayOutside(int material, Values values, Gradients gradients, vec3 positionGrid);
+//     The way from a position on the surface of a material to this place [grid], 0 where there is
+//     no surface.
 
 // --- Sky: light from all around, as far as matter lets it through. Only for materials ---
 // Defines:
-//   float KeptOf(Values values, Gradients gradients, vec3 positionGrid);
-//     The part of its light that a position keeps, [0,1].
-//   float KeptAt(Ray ray, float t);
+//   vec4 KeptOf(Values values, Gradients gradients, vec3 positionGrid);
+//     The part of its light that each material keeps at a position, [0,1]; a single one has the
+//     first.
+//   vec4 KeptAt(Ray ray, float t);
 //     The same at t. Along a ray, t should ascend: segments shorter than skyPlacesMm share a place.
 
 // --- Gaps: see also Slots.glsl ---
@@ -227,3 +234,5 @@ bool HasGradient(vec3 positionTexture);
 //   void ReadValues(Ray ray, Interval segment);
 //   void ReadGradients(Ray ray, Interval segment, bool isNext);
 //     isNext is true if the gradients at the beginning of the segment were the last to be read.
+//   vec4 KeptIn(Ray ray, Interval segment);
+//     What the materials keep of their light in the segment, see KeptOf.

@@ -92,7 +92,7 @@ def render(
     anisotropy: mean cosine of the angle by which it turns light, -0.99 to 0.99.
     scattering_reach: how far matter dims scattered light, 0 (not at all) to 1 (everywhere).
     occlusion: strength of ambient occlusion, 0 to 1: how much darker places are that see little of
-        what is around the volume. Composites of one component only.
+        what is around the volume. Composites only.
     occlusion_reach: distance beyond which matter does not occlude [mm]; default: 16 voxels.
     damping: gradient magnitude below which light other than ambient is reduced, in units of the
         volume per mm, so that noise in homogeneous material does not glitter; default: the preset's.

@@ -80,8 +80,12 @@ std::vector<std::string> SkyParts(const RenderSettings& settings)
   {
     return { "Sky/None.glsl" };
   }
-  return { settings.labelSurfaces ? "Outside/Labels.glsl" : "Outside/Scalars.glsl",
-    "Sky/OpenSky.glsl" };
+  if (settings.components != Components::One)
+  {
+    return { "Outside/Components.glsl", "Sky/OpenSky.glsl" };
+  }
+  return { "WayOfScalars.glsl",
+    settings.labelSurfaces ? "Outside/Labels.glsl" : "Outside/Scalars.glsl", "Sky/OpenSky.glsl" };
 }
 
 std::string GradientFile(const RenderSettings& settings)

@@ -23,7 +23,7 @@ std::vector<std::string> MaterialParts(const RenderSettings& settings);
 std::string ShadeFile(const RenderSettings& settings);
 /// The files of the slots Reach, Cone and Scatter, for a shading that takes all lights.
 std::vector<std::string> LightParts(const RenderSettings& settings);
-/// The files of the slots Sky and Outside.
+/// The files of the slots Sky and Outside, and those that they share.
 std::vector<std::string> SkyParts(const RenderSettings& settings);
 std::string GradientFile(const RenderSettings& settings);
 

@@ -183,7 +183,7 @@ struct RenderSettings
   bool softLights = false; ///< some of these lights are as wide as cones; with shadows only
   bool casters = false;    ///< opaque geometry casts shadows too; with shadows only
   bool scattering = false; ///< matter scatters light; requires lights; composites only
-  bool occlusion = false;  ///< ambient occlusion; composites of one component only
+  bool occlusion = false;  ///< ambient occlusion; composites only
   Mask mask = Mask::None;
   bool labelSurfaces =
     false; ///< labels are surfaces of their own; labels with shading or occlusion

@@ -105,7 +105,7 @@ bool CastsShadows(const RenderSettings& settings)
 // Files for rays from samples through the volume; empty if there are none.
 std::vector<std::string> ThroughParts(const RenderSettings& settings)
 {
-  if (!CastsShadows(settings) && !settings.shadowsOthers && !settings.occlusion)
+  if (!CastsShadows(settings) && !settings.shadowsOthers && !IsInWayOfSky(settings))
   {
     return {};
   }
@@ -196,8 +196,9 @@ static std::vector<std::string> PartsOfOne(const RenderSettings& settings)
   add(VoxelParts(settings));
   add({ ProbeFile(settings), "Gaps/None.glsl" });
   add(LookParts(settings));
-  add({ StepFile(settings), settings.nearest ? "Reading/Voxels.glsl" : "Reading/Cells.glsl",
-    "Volumes/Next.glsl" });
+  add({ StepFile(settings) });
+  add(SkyParts(settings));
+  add({ settings.nearest ? "Reading/Voxels.glsl" : "Reading/Cells.glsl", "Volumes/Next.glsl" });
   return parts;
 }
 
@@ -208,7 +209,8 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   add({ DepthFile(settings), ClipFile(settings), JitterFile(settings), BlendFile(settings),
     "Volumes/None.glsl" });
-  if (settings.shadowsOthers)
+  const bool areInLight = settings.shadowsOthers || settings.occludesOthers;
+  if (areInLight)
   {
     parts.push_back("DepthOfNone.glsl");
   }
@@ -217,7 +219,7 @@ static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
     add(PartsOfOne(other));
   }
   add(PartsOfOne(settings));
-  if (settings.shadowsOthers)
+  if (areInLight)
   {
     parts.push_back("DepthOfAll.glsl");
   }

@@ -2,5 +2,5 @@
 
 float DepthAround(Ray ray, ShadowMarch march)
 {
-  return DepthAlong(ray, Clipped(ray, InOwnBox(ray, march.farMm)), march);
+  return DepthOf(ray, Clipped(ray, InOwnBox(ray, march.farMm)), march);
 }

@@ -7,7 +7,7 @@ float DepthOfVolumes(vec3 originWorld, vec3 directionWorld, ShadowMarch march)
   float before = DepthOfVolumesBefore(originWorld, directionWorld, march);
   Ray ray =
     RayFrom(gridFromWorld * (originWorld - worldOfGridOrigin), gridFromWorld * directionWorld);
-  return before + DepthAlong(ray, InOwnBox(ray, march.farMm), march);
+  return before + DepthOf(ray, InOwnBox(ray, march.farMm), march);
 }
 
 float DepthAround(Ray ray, ShadowMarch march)

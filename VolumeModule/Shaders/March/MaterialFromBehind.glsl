@@ -29,9 +29,9 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
       break; // the rest of the ray is invisible
     }
     Gradients gradients = GradientsAt(PositionTexture(ray, middle));
-    float kept = KeptOf(values, gradients, PositionGrid(ray, middle));
-    vec4 optical = Material(values, gradients, ray, middle);
-    behind = BlendOver(behind, kept * optical.rgb, optical.a * lengthMm);
+    vec4 kept = KeptOf(values, gradients, PositionGrid(ray, middle));
+    vec4 optical = Material(values, gradients, kept, ray, middle);
+    behind = BlendOver(behind, optical.rgb, optical.a * lengthMm);
   }
   return BlendBehind(sum, behind);
 }

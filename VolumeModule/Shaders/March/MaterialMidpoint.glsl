@@ -31,8 +31,9 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     {
       break; // the rest of the ray is invisible
     }
-    vec4 optical = Material(values, GradientsAt(PositionTexture(ray, middle)), ray, middle);
-    sum = BlendPart(sum, KeptAt(ray, middle) * optical.rgb, optical.a * lengthMm);
+    vec4 optical =
+      Material(values, GradientsAt(PositionTexture(ray, middle)), KeptAt(ray, middle), ray, middle);
+    sum = BlendPart(sum, optical.rgb, optical.a * lengthMm);
   }
   return sum;
 }

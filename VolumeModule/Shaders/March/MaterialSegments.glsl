@@ -18,8 +18,8 @@ struct Linear
   Values endValues;
   Gradients startGradients;
   Gradients endGradients;
-  float startKept;
-  float endKept;
+  vec4 startKept;
+  vec4 endKept;
   float enter;
   float lengthMm;
 };
@@ -28,10 +28,9 @@ struct Linear
 Accumulation BlendMaterial(Accumulation sum, Linear segment, float along, Ray ray)
 {
   vec4 optical = Material(Between(segment.startValues, segment.endValues, along),
-    Between(segment.startGradients, segment.endGradients, along), ray,
-    segment.enter + along * segment.lengthMm);
-  float kept = mix(segment.startKept, segment.endKept, along);
-  return BlendPart(sum, kept * optical.rgb, optical.a * (segment.lengthMm / PartsPerSegment));
+    Between(segment.startGradients, segment.endGradients, along),
+    mix(segment.startKept, segment.endKept, along), ray, segment.enter + along * segment.lengthMm);
+  return BlendPart(sum, optical.rgb, optical.a * (segment.lengthMm / PartsPerSegment));
 }
 
 Accumulation March(Ray ray, Interval inside, Accumulation sum)
@@ -39,7 +38,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
   float t = inside.enter;
   Values endValues = ValuesAt(PositionTexture(ray, t));
   Gradients endGradients;
-  float endKept;
+  vec4 endKept;
   bool known = false; // true if endGradients and endKept are those at t
   int index = 0;
   while (index < mostSegments && t < inside.exit && !BlendFinished(sum))
@@ -69,7 +68,7 @@ Accumulation March(Ray ray, Interval inside, Accumulation sum)
     }
 
     Gradients gradients = GradientsAt(PositionTexture(ray, t));
-    float kept = KeptAt(ray, t);
+    vec4 kept = KeptAt(ray, t);
     // The gradient at the beginning of a visible segment behind an invisible one was not fetched.
     // That at its end stands for it, because such a segment absorbs least at its beginning.
     if (!known)

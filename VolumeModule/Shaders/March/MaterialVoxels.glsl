@@ -34,9 +34,9 @@ Accumulation TakeCells(Accumulation sum, Ray ray, float end, float exit)
 
     float lengthMm = part.exit - part.enter;
     Gradients gradients = GradientsAt(middleTexture);
-    float kept = KeptOf(values, gradients, middleTexture * voxelCount - 0.5 + firstVoxelGrid);
-    vec4 optical = Material(values, gradients, ray, part.enter + 0.5 * lengthMm);
-    sum = BlendPart(sum, kept * optical.rgb, optical.a * lengthMm);
+    vec4 kept = KeptOf(values, gradients, middleTexture * voxelCount - 0.5 + firstVoxelGrid);
+    vec4 optical = Material(values, gradients, kept, ray, part.enter + 0.5 * lengthMm);
+    sum = BlendPart(sum, optical.rgb, optical.a * lengthMm);
   }
   return sum;
 }

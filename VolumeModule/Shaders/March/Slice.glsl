@@ -8,7 +8,7 @@ const float ReachVoxels = 1e-4;
 Accumulation BlendSlice(Accumulation sum, Ray ray, float t)
 {
   vec3 position = PositionTexture(ray, t);
-  vec4 optical = Material(ValuesAt(position), GradientsAt(position), ray, t);
+  vec4 optical = Material(ValuesAt(position), GradientsAt(position), vec4(1.0), ray, t);
   return BlendPart(sum, optical.rgb, optical.a * opacityUnitDistancesMm.x);
 }
 

@@ -8,17 +8,19 @@ float PartExtinction(Values values, Gradients gradients, int part)
   return partWeights[part] * AtGradient(PartOptical(values.scalars, part).a, opacityGradient, part);
 }
 
-float MaterialExtinction(Values values, Gradients gradients)
+float ExtinctionIfAny(Values values, Gradients gradients, int part)
 {
-  float extinction = 0.0;
-  for (int part = 0; part < materialCount; ++part)
-  {
-    extinction += PartExtinction(values, gradients, part);
-  }
-  return extinction;
+  return part < materialCount ? PartExtinction(values, gradients, part) : 0.0;
 }
 
-vec4 Material(Values values, Gradients gradients, Ray ray, float t)
+// A loop would count for llvmpipe in each segment of rays inside.
+float MaterialExtinction(Values values, Gradients gradients)
+{
+  return ExtinctionIfAny(values, gradients, 0) + ExtinctionIfAny(values, gradients, 1) +
+    ExtinctionIfAny(values, gradients, 2) + ExtinctionIfAny(values, gradients, 3);
+}
+
+vec4 Material(Values values, Gradients gradients, vec4 kept, Ray ray, float t)
 {
   vec3 emission = vec3(0.0);
   float extinction = 0.0;
@@ -26,7 +28,8 @@ vec4 Material(Values values, Gradients gradients, Ray ray, float t)
   {
     vec3 color = PartOptical(values.scalars, part).rgb;
     float absorbed = PartExtinction(values, gradients, part);
-    emission += absorbed * Shade(color, gradients.ofScalars[part], reflectances[part], ray, t);
+    emission +=
+      absorbed * kept[part] * Shade(color, gradients.ofScalars[part], reflectances[part], ray, t);
     extinction += absorbed;
   }
   return vec4(emission / max(extinction, 1e-30), extinction);

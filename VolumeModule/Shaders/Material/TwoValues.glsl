@@ -11,8 +11,8 @@ float MaterialExtinction(Values values, Gradients gradients)
   return LookOf(values).a;
 }
 
-vec4 Material(Values values, Gradients gradients, Ray ray, float t)
+vec4 Material(Values values, Gradients gradients, vec4 kept, Ray ray, float t)
 {
   vec4 optical = LookOf(values);
-  return vec4(Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t), optical.a);
+  return vec4(kept.x * Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t), optical.a);
 }

@@ -13,8 +13,8 @@ float MaterialExtinction(Values values, Gradients gradients)
   return LookOf(values, gradients).a;
 }
 
-vec4 Material(Values values, Gradients gradients, Ray ray, float t)
+vec4 Material(Values values, Gradients gradients, vec4 kept, Ray ray, float t)
 {
   vec4 optical = LookOf(values, gradients);
-  return vec4(Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t), optical.a);
+  return vec4(kept.x * Shade(optical.rgb, gradients.scalar, reflectances[0], ray, t), optical.a);
 }

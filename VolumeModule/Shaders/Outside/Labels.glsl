@@ -1,5 +1,3 @@
-#include "Math/BlinnPhong.glsl"
-#include "Math/OpenSky.glsl"
 // The surface of a voxel with a label is that of its label, from which the way leads to the side on
 // which there is less matter. Inside a label there is no surface, and a place sees what is around
 // itself.
@@ -14,11 +12,21 @@ float ExtinctionBeside(vec3 positionGrid, Gradients gradients)
   return extinction;
 }
 
-vec3 OwnWayOutside(vec3 wayOfScalars, Gradients gradients, vec3 positionGrid)
+int SurfaceCount()
+{
+  return 1;
+}
+
+bool HasSurface(int material, Values values, Gradients gradients)
+{
+  return true;
+}
+
+vec3 OwnWayOutside(int material, Values values, Gradients gradients, vec3 positionGrid)
 {
   if (labelRow == 0)
   {
-    return wayOfScalars;
+    return WayOfScalars(values, gradients);
   }
   vec3 inward = GradientOfLabel(positionGrid);
   if (dot(inward, inward) <= LeastSurface)

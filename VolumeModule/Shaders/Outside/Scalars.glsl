@@ -1,6 +1,16 @@
 // Surfaces lie where scalars change.
 
-vec3 OwnWayOutside(vec3 wayOfScalars, Gradients gradients, vec3 positionGrid)
+int SurfaceCount()
 {
-  return wayOfScalars;
+  return 1;
+}
+
+bool HasSurface(int material, Values values, Gradients gradients)
+{
+  return true;
+}
+
+vec3 OwnWayOutside(int material, Values values, Gradients gradients, vec3 positionGrid)
+{
+  return WayOfScalars(values, gradients);
 }

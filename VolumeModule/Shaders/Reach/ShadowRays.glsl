@@ -10,7 +10,7 @@ const float BeyondAll = 3.0e38; // distance of lights at infinity [mm]
 float Transmitted(vec3 originGrid, vec3 towards, float farMm)
 {
   ShadowMarch march =
-    ShadowMarch(farMm, FirstShadowStep(shadowStepMm), shadowStepMm, float(MostShadowDepth));
+    ShadowMarch(farMm, FirstShadowStep(shadowStepMm), shadowStepMm, float(MostShadowDepth), false);
   return exp(-DepthAround(RayFrom(originGrid, gridFromWorld * towards), march));
 }
 

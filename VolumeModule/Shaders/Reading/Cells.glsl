@@ -19,6 +19,11 @@ void ReadValues(Ray ray, Interval segment)
   endValues = ValuesAt(PositionTexture(ray, segment.exit));
 }
 
+vec4 KeptIn(Ray ray, Interval segment)
+{
+  return KeptAt(ray, 0.5 * (segment.enter + segment.exit));
+}
+
 void ReadGradients(Ray ray, Interval segment, bool isNext)
 {
   Gradients gradients = GradientsAt(PositionTexture(ray, segment.exit));

@@ -39,6 +39,11 @@ void ReadValues(Ray ray, Interval segment)
   endValues = startValues;
 }
 
+vec4 KeptIn(Ray ray, Interval segment)
+{
+  return KeptOf(startValues, startGradients, voxel.cell + firstVoxelGrid);
+}
+
 void ReadGradients(Ray ray, Interval segment, bool isNext)
 {
   startGradients = GradientsAt((voxel.cell + 0.5) / voxelCount);

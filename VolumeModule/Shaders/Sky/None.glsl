@@ -1,11 +1,11 @@
 // All light from all around arrives everywhere.
 
-float KeptOf(Values values, Gradients gradients, vec3 positionGrid)
+vec4 KeptOf(Values values, Gradients gradients, vec3 positionGrid)
 {
-  return 1.0;
+  return vec4(1.0);
 }
 
-float KeptAt(Ray ray, float t)
+vec4 KeptAt(Ray ray, float t)
 {
-  return 1.0;
+  return vec4(1.0);
 }

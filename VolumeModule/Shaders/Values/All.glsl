@@ -30,6 +30,11 @@ Gradients Between(Gradients start, Gradients end, float along)
   return Gradients(start.ofScalars + along * (end.ofScalars - start.ofScalars));
 }
 
+Values WithAdded(Values values, float scalar)
+{
+  return Values(values.scalars + scalar);
+}
+
 bool MayAbsorb(Values start, Values end)
 {
   bool may = false;

@@ -61,15 +61,17 @@ bool ReadSegment(Interval segment)
   return anyBefore || absorbs;
 }
 
-// Emission and extinction [1/mm] at a fraction of the segment, [0,1].
-vec4 EmissionAt(float along, Interval segment)
+// Emission and extinction [1/mm] at a fraction of the segment, [0,1], for what materials keep of
+// their light.
+vec4 EmissionAt(float along, Interval segment, vec4 kept)
 {
   if (!absorbs)
   {
     return vec4(0.0);
   }
-  vec4 optical = Material(Between(startValues, endValues, along),
-    Between(startGradients, endGradients, along), ownRay, mix(segment.enter, segment.exit, along));
+  vec4 optical =
+    Material(Between(startValues, endValues, along), Between(startGradients, endGradients, along),
+      kept, ownRay, mix(segment.enter, segment.exit, along));
   return vec4(optical.rgb * optical.a, optical.a);
 }
 
@@ -78,9 +80,14 @@ Mixture MixtureOf(Interval segment)
   Mixture sum = MixtureOfBefore(segment);
   ReadGradients(ownRay, segment, gradientsT == segment.enter);
   gradientsT = segment.exit;
-  sum.first += EmissionAt(0.125, segment);
-  sum.second += EmissionAt(0.375, segment);
-  sum.third += EmissionAt(0.625, segment);
-  sum.fourth += EmissionAt(0.875, segment);
+  vec4 kept = vec4(1.0);
+  if (absorbs)
+  {
+    kept = KeptIn(ownRay, segment);
+  }
+  sum.first += EmissionAt(0.125, segment, kept);
+  sum.second += EmissionAt(0.375, segment, kept);
+  sum.third += EmissionAt(0.625, segment, kept);
+  sum.fourth += EmissionAt(0.875, segment, kept);
   return sum;
 }

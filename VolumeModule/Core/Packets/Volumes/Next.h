@@ -3,8 +3,8 @@
 
 // The parts of a mixture: components of a volume, and volumes that overlap.
 // Twin of Volumes/Next.glsl, Reading/Cells.glsl, Reading/Voxels.glsl, Values/All.glsl,
-// Material/Components.glsl, Classify/ComponentTables.glsl, Components/Independent.glsl,
-// Components/LuminanceOpacity.glsl and Components/Rgba.glsl.
+// Material/Components.glsl, Outside/Components.glsl, Classify/ComponentTables.glsl,
+// Components/Independent.glsl, Components/LuminanceOpacity.glsl and Components/Rgba.glsl.
 
 #include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketLattice.h"
@@ -189,7 +189,8 @@ private:
     Add(part.sum, open * color, extinction);
   }
 
-  // The part of its light that a surface keeps under ambient occlusion.
+  // The part of its light that a surface keeps under ambient occlusion. A box has that of its
+  // middle.
   Lanes OpenAt(const Slope& slope, Lanes t, LaneMask mask) const
   {
     if (!(this->scene.sky.strength > 0.0f))
@@ -198,7 +199,9 @@ private:
     }
     const VoxelsAmongOthers voxels{ this->all };
     return OpenSky<VoxelsAmongOthers>(this->scene, voxels)
-      .At(this->material.OutsideOf(slope, this->rays.At(t), voxels), mask);
+      .At(this->material.OutsideOf(
+            slope, this->isOfBoxes ? this->box.cell : this->rays.At(t), voxels),
+        mask);
   }
 
   // A box has the same properties in all parts.
@@ -334,16 +337,15 @@ private:
     {
       return;
     }
-    Optical look = Classify(this->scene.look, value);
-    if (this->scene.textures.gradientOpacityTable)
-    {
-      look.extinction = AtGradient(this->scene, look.extinction, gradientOf(voxels));
-    }
+    const bool hasSurface =
+      this->scene.textures.gradientOpacityTable || this->scene.sky.strength > 0.0f;
+    const Slope slope{ value, hasSurface ? gradientOf(voxels) : Lanes3(0.0f) };
+    Optical look = this->material.LookOf(value, slope.gradient);
     look.color = this->ColorOf<Voxels>(valueOf);
     const bool isLit = this->scene.light.shading != PacketShading::None;
     const Surface surface =
       this->material.SurfaceOf(isLit ? gradientOf(this->ColorVoxels<Voxels>(0)) : Lanes3(0.0f));
-    this->AddLit(part, look, surface, All(1.0f), t, absorbs);
+    this->AddLit(part, look, surface, this->OpenAt(slope, t, absorbs), t, absorbs);
   }
 
   template <class Voxels>
