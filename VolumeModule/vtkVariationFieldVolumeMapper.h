@@ -192,8 +192,9 @@ public:
    * Limit of the graphics memory that this mapper takes [bytes]. Default: 0, what the device has. A
    * volume that does not fit, or that exceeds the device's largest 3D texture, is drawn in blocks:
    * those that fit stay in graphics memory, the others are uploaded each time they are drawn. A
-   * volume that fits pays nothing for this. With shadows or ambient occlusion, packets of rays on
-   * the processor draw a volume that does not fit, and need no blocks (see ProcessorMarching).
+   * volume that fits pays nothing for this. With shadows or ambient occlusion, and where volumes
+   * overlap, packets of rays on the processor draw volumes that do not fit, and need no blocks (see
+   * ProcessorMarching).
    */
   vtkSetClampMacro(MaximumGraphicsMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumGraphicsMemory, vtkIdType);

@@ -3,6 +3,7 @@
 
 #include "Module/OverlapScene.h"
 #include "Module/ProcessorMarching.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <vtkProperty.h>
 
@@ -184,4 +185,41 @@ TEST_F(ProcessorMarching, KeepsOverlappingVolumesOffTheDevice)
   EXPECT_LE(MapperOf(scene)->GetGraphicsMemoryBytes(), bytesOfPixels);
   scene.Draw();
   EXPECT_EQ(MapperOf(scene)->GetGraphicsMemoryBytes(), bytesOfShader);
+}
+
+TEST_F(ProcessorMarching, DrawsOverlappingVolumesThatDoNotFitTheDevice)
+{
+  OverlapScene scene(PictureSize);
+  const ThreeBalls balls(scene);
+  const std::vector<float> drawn = scene.DrawByProcessor();
+  constexpr int BytesOfFirst = 40 * 44 * 36 * 2;
+  for (const vtkIdType most : { BytesOfFirst - 1, 1000 })
+  {
+    MapperOf(scene)->SetMaximumGraphicsMemory(most);
+    EXPECT_EQ(scene.DrawByProcessor(), drawn) << most;
+    EXPECT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
+    EXPECT_EQ(scene.DrawByProcessor(), drawn) << most << ", a second time";
+  }
+  {
+    const ExpectedVtkErrors errors;
+    scene.Draw();
+    EXPECT_NE(
+      errors.Text().find("Overlapping volumes cannot be drawn in blocks"), std::string::npos)
+      << errors.Text();
+  }
+  MapperOf(scene)->SetMaximumGraphicsMemory(1 << 28);
+  scene.DrawByProcessor();
+  EXPECT_FALSE(scene.ShaderParts().empty()) << "they fit";
+}
+
+// The first volume would fit alone.
+TEST_F(ProcessorMarching, DrawsVolumesOfWhichAnotherThanTheFirstDoesNotFitTheDevice)
+{
+  OverlapScene scene(PictureSize);
+  scene.Add(0, RidgedBall(VTK_UNSIGNED_CHAR, { 9, 11, 8 }), { { 0.2, 0.4, 1 }, 60, 120, 0.3 });
+  scene.Add(1, RidgedBall(VTK_FLOAT, { 40, 44, 36 }), { { 0.9, 0.8, 0.7 }, 30, 110, 0.1 });
+  const std::vector<float> drawn = scene.DrawByProcessor();
+  MapperOf(scene)->SetMaximumGraphicsMemory(100000);
+  EXPECT_EQ(scene.DrawByProcessor(), drawn);
+  EXPECT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
 }

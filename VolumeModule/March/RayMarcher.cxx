@@ -11,9 +11,34 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace varimarch
 {
+
+namespace
+{
+
+// The numbers that decide, apart from the look, whether the device can hold volumes that overlap.
+std::vector<double> MemoryInputsOf(const Frame& frame)
+{
+  const Viewport& pixels = frame.view.viewport;
+  std::vector<double> inputs = { double(frame.device.mostMemoryBytes), double(pixels.width),
+    double(pixels.height) };
+  const auto add = [&](const Frame& one)
+  {
+    const glm::ivec3& voxels = one.geometry.dimensions;
+    inputs.insert(inputs.end(),
+      { double(voxels.x), double(voxels.y), double(voxels.z), double(one.voxels.components.size()),
+        double(one.voxels.scalars->GetDataType()), double(one.settings.mask != Mask::None),
+        double(one.settings.cubic), double(one.settings.storedGradients) });
+  };
+  add(frame);
+  std::for_each(frame.others.begin(), frame.others.end(), add);
+  return inputs;
+}
+
+}
 
 MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQuality>& quality)
 {
@@ -24,11 +49,23 @@ MarchPlan RayMarcher::Prepare(const Frame& frame, const std::optional<PictureQua
   return plan;
 }
 
+// Whether the device can hold volumes that overlap is known only with everything else that has to
+// be in its memory.
 void RayMarcher::UpdateResources(const Frame& frame, MarchPlan& plan)
 {
   this->resources.UpdateVoxels(frame);
-  this->ChooseMarcher(frame, plan);
+  const MarchPlan begun = plan;
+  const std::vector<double> memory = MemoryInputsOf(frame);
+  this->ChooseMarcher(frame, plan, ShouldMarchByPackets(frame) || this->tooLargeBy == memory);
   this->resources.Update(frame, plan, this->MemoryOfImages());
+  if (this->resources.IsTooLarge() && this->tooLargeBy != memory)
+  {
+    this->tooLargeBy = memory;
+    plan = begun;
+    this->ChooseMarcher(frame, plan, true);
+    this->resources.Update(frame, plan, this->MemoryOfImages());
+  }
+  this->resources.CheckOverlap(plan);
   if (!this->resources.IsInBlocks())
   {
     this->shaders.ReleaseBlocks(frame.view.window);
@@ -75,18 +112,6 @@ void RayMarcher::CastOnGeometry(const Frame& frame, ReceivedLight& light, bool i
   }
 }
 
-void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
-{
-  if (this->window && this->window != newWindow)
-  {
-    vtkOpenGLRenderWindow* const left = this->window;
-    left->PushContext();
-    this->Release(left);
-    left->PopContext();
-  }
-  this->window = newWindow;
-}
-
 bool RayMarcher::FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan)
 {
   bool areFew =
@@ -100,9 +125,21 @@ bool RayMarcher::FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan)
   return areFew;
 }
 
-void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan)
+void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)
 {
-  if (ShouldMarchByPackets(frame) && CanMarchByPackets(frame, this->resources))
+  if (this->window && this->window != newWindow)
+  {
+    vtkOpenGLRenderWindow* const left = this->window;
+    left->PushContext();
+    this->Release(left);
+    left->PopContext();
+  }
+  this->window = newWindow;
+}
+
+void RayMarcher::ChooseMarcher(const Frame& frame, MarchPlan& plan, bool shouldMarchByPackets)
+{
+  if (shouldMarchByPackets && CanMarchByPackets(frame, this->resources))
   {
     plan.marcher = Marcher::Processor;
     if (IsMixture(frame))

@@ -111,7 +111,7 @@ private:
   bool FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan);
   /// Chooses the marcher, and updates everything that it reads.
   void UpdateResources(const Frame& frame, MarchPlan& plan);
-  void ChooseMarcher(const Frame& frame, MarchPlan& plan);
+  void ChooseMarcher(const Frame& frame, MarchPlan& plan, bool shouldMarchByPackets);
   /// Searches the steps of an image, or takes those that were set.
   void TakeSteps(const Frame& frame, MarchPlan& plan);
   void SearchSteps(const Frame& frame, MarchPlan& plan);
@@ -132,6 +132,7 @@ private:
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };
+  std::vector<double> tooLargeBy; ///< Inputs of memory that is too small for the volumes.
   double usedSampleDistanceMm = 0.0;
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;

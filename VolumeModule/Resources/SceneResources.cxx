@@ -65,20 +65,6 @@ void UpdateVoxelsOf(Volumes& volumes, const std::vector<Frame>& frames, vtkWindo
   }
 }
 
-// Throws std::runtime_error if a volume cannot be drawn together with others.
-void CheckOverlap(const VolumeResources& volume, const VolumeFindings& findings)
-{
-  if (volume.Blocks().Partition().Count() > 1)
-  {
-    throw std::runtime_error("Overlapping volumes cannot be drawn in blocks: the maximum graphics "
-                             "memory, or the device's 3D textures, are too small for them");
-  }
-  if (findings.hasGaps)
-  {
-    throw std::runtime_error("Overlapping volumes cannot be drawn with values that are not finite");
-  }
-}
-
 }
 
 void SceneResources::UpdateVoxels(const Frame& frame)
@@ -112,14 +98,34 @@ void SceneResources::Update(const Frame& frame, MarchPlan& plan, const MemoryEls
     plan.coarser[level] = this->coarser[level]->Update(MarchOfCoarser(frame, plan, level), {});
   }
   plan.volumes.front() = this->first.Update(MarchOf(frame, plan), this->BesideFirst(ofImages));
-  if (!frame.others.empty())
-  {
-    CheckOverlap(this->first, plan.volumes.front());
-  }
   plan.triesPreIntegration = this->first.MayTryPreIntegration(frame);
   plan.choosesIntegration =
     plan.choosesIntegration && (plan.triesPreIntegration || MarchesMaterial(frame.settings));
   this->drawnBox = this->BoxOfAll(frame);
+}
+
+bool SceneResources::IsTooLarge() const
+{
+  return this->first.Division().IsTooLarge() ||
+    std::any_of(this->others.begin(), this->others.end(),
+      [](const auto& other) { return other->Division().IsTooLarge(); });
+}
+
+void SceneResources::CheckOverlap(const MarchPlan& plan) const
+{
+  if (this->IsTooLarge())
+  {
+    throw std::runtime_error(
+      "Overlapping volumes cannot be drawn in blocks: the maximum graphics memory, or the device's "
+      "3D textures, are too small for them, and packets of rays on the processor are off or cannot "
+      "draw them");
+  }
+  const bool haveGaps = std::any_of(plan.volumes.begin(), plan.volumes.end(),
+    [](const VolumeFindings& findings) { return findings.hasGaps; });
+  if (!this->others.empty() && haveGaps)
+  {
+    throw std::runtime_error("Overlapping volumes cannot be drawn with values that are not finite");
+  }
 }
 
 void SceneResources::UpdatePreIntegrated(const Frame& frame, const MarchPlan& plan)
@@ -165,7 +171,6 @@ void SceneResources::UpdateOthers(const Frame& frame, MarchPlan& plan)
   for (std::size_t i = 0; i < this->others.size(); ++i)
   {
     plan.volumes[i + 1] = this->others[i]->Update(MarchOfOther(frame, plan, i), {});
-    CheckOverlap(*this->others[i], plan.volumes[i + 1]);
   }
 }
 

@@ -49,6 +49,10 @@ public:
 
   bool AnyFits8Bits() const; ///< True if texels of 8 bits can hold a volume.
   bool IsInBlocks() const { return this->first.Blocks().Partition().Count() > 1; }
+  /// True if the device cannot hold volumes that overlap.
+  bool IsTooLarge() const;
+  /// @throws std::runtime_error if volumes that overlap cannot be drawn as planned
+  void CheckOverlap(const MarchPlan& plan) const;
   /// The box around all volumes through which rays are marched, in the grid of the first volume.
   const Box& DrawnBox() const { return this->drawnBox; }
   bool IsNothingDrawn() const;

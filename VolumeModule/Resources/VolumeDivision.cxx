@@ -67,6 +67,20 @@ std::size_t VolumeDivision::BytesForBlocks(
     : march.frame.device.mostMemoryBytes - std::min(march.frame.device.mostMemoryBytes, others);
 }
 
+bool VolumeDivision::FitsMemory(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const
+{
+  const glm::ivec3 voxels = march.frame.geometry.dimensions;
+  const std::size_t most = march.frame.device.mostMemoryBytes;
+  const std::size_t wholeBytes = this->blocks.BytesPerVoxel() * voxels.x * voxels.y * voxels.z;
+  return most == 0 || elsewhere.fixedBytes + wholeBytes <= most;
+}
+
+bool VolumeDivision::MustBeDivided(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const
+{
+  return !this->FitsMemory(march, elsewhere) ||
+    BlockPartition(march.frame.geometry.dimensions, this->LimitsOf(march, elsewhere)).Count() > 1;
+}
+
 BlockLimits VolumeDivision::LimitsOf(
   const VolumeMarch& march, const MemoryElsewhere& elsewhere) const
 {
@@ -76,14 +90,12 @@ BlockLimits VolumeDivision::LimitsOf(
   limits.largestBytes = limits.bytesPerVoxel *
     VolumeTexture::MostTexels(glm::min(voxels, limits.largestSide),
       this->blocks.TexelsOfComponents().size(), this->blocks.Format());
-  const std::size_t most = march.frame.device.mostMemoryBytes;
-  const std::size_t fixedBytes = elsewhere.fixedBytes;
-  const std::size_t wholeBytes = limits.bytesPerVoxel * voxels.x * voxels.y * voxels.z;
-  if (most == 0 || fixedBytes + wholeBytes <= most)
+  if (this->FitsMemory(march, elsewhere))
   {
     return limits;
   }
-  const std::size_t others = fixedBytes +
+  const std::size_t most = march.frame.device.mostMemoryBytes;
+  const std::size_t others = elsewhere.fixedBytes +
     std::max(RayAccumulation::BytesFor(march.plan.viewport), elsewhere.accumulationBytes);
   const std::size_t smallest = BlockPartition::SmallestBytes(limits.bytesPerVoxel);
   if (others + smallest > most)
@@ -105,7 +117,10 @@ bool VolumeDivision::Update(
   const VolumeMarch& march, const FieldResources& fields, const MemoryElsewhere& elsewhere)
 {
   vtkOpenGLRenderWindow* const window = march.frame.view.window;
-  const bool isInMemory = march.plan.marcher == Marcher::Processor;
+  const bool isForDevice = march.plan.marcher == Marcher::Device;
+  this->isTooLarge =
+    isForDevice && march.settings.overlaps && this->MustBeDivided(march, elsewhere);
+  const bool isInMemory = !isForDevice || this->isTooLarge;
   if (this->blocks.Divide(window, isInMemory ? WithoutLimits() : this->LimitsOf(march, elsewhere)))
   {
     this->visibleOfField = -1;

@@ -24,7 +24,8 @@ struct MemoryElsewhere
 class VolumeDivision
 {
 public:
-  /// Divides the volume. A single block is uploaded to the device at once.
+  /// Divides the volume. A single block is uploaded to the device at once. A volume that overlaps
+  /// others is not divided: the device does not get it if it is too large.
   /// @return true if the volume has gaps or, if it is in several blocks, may have gaps
   /// @throws std::runtime_error if the memory is too small, or a feature is not available in blocks
   bool Update(
@@ -37,6 +38,9 @@ public:
   /// The blocks that may have visible parts in view, front to back.
   std::vector<int> InView(const VolumeMarch& march) const;
 
+  /// True if the device cannot hold a volume that overlaps others, which has no blocks.
+  bool IsTooLarge() const { return this->isTooLarge; }
+
   VolumeBlocks& Blocks() { return this->blocks; }
   const VolumeBlocks& Blocks() const { return this->blocks; }
   /// The box around the part that is visible after cuts and by the field [grid space].
@@ -46,10 +50,13 @@ public:
 
 private:
   void UpdateVisibleBoxes(const VolumeMarch& march, const FieldResources& fields);
+  bool FitsMemory(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const;
+  bool MustBeDivided(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const;
   BlockLimits LimitsOf(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const;
   std::size_t BytesForBlocks(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const;
 
   VolumeBlocks blocks;
+  bool isTooLarge = false;
   Box visibleBox = {};
   std::vector<Box> visibleBoxes; ///< The box around the visible part of each block.
   int visibleOfField = -1;       ///< The build number of the field behind the boxes; 0: no field.
