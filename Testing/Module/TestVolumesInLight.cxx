@@ -325,6 +325,32 @@ TEST(VolumesInLight, KeepNoLightThatOneOfThemHadAlone)
   EXPECT_EQ(MapperOf(kept)->GetLightLatticeBuilds(), ofOne + 2);
 }
 
+// The eye sees exp(-e z) of what exp(-e z) of the light excites at depth z: half of the light that
+// a face would send, however dense the matter is.
+TEST(VolumesInLight, OfDenseMatterHaveTheirClosedForm)
+{
+  for (const int interpolation : { VTK_NEAREST_INTERPOLATION, VTK_LINEAR_INTERPOLATION })
+  {
+    for (const double opacity : { 0.9, 0.99999, 1.0 })
+    {
+      OverlapScene scene(16);
+      const ComponentLook look{ { 0.9, 0.5, 0.3 }, -2.0, -1.0, opacity };
+      for (int port = 0; port < 2; ++port)
+      {
+        vtkVolume* const box = scene.Add(port, FacingBox({ 30.0, 30.0, 8.0 }), look);
+        box->GetProperty()->ShadeOn();
+        box->GetProperty()->SetInterpolationType(interpolation);
+        box->SetPosition(0.0, 0.0, -10.0 * port);
+      }
+      UseLight(scene, { { { { 0.0, 0.0, 1.0 } } } });
+      MapperOf(scene)->SetErrorTolerance(Tolerance);
+      EXPECT_NEAR(scene.DrawByProcessor()[4 * (8 * 16 + 8)], 0.8 * look.color.r * 0.5, Tolerance)
+        << interpolation << ", " << opacity;
+      EXPECT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
+    }
+  }
+}
+
 // A plane cuts away the half of both volumes that is towards the light.
 TEST(VolumesInLight, ThatAreClippedCastNoShadows)
 {

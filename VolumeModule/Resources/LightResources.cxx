@@ -34,6 +34,10 @@ constexpr double SkyCellError = 1.0 / 1024.0;
 // The optical depth beyond which no light is left if there is no tolerance.
 constexpr float MostDepthOfTraced = 12.0f;
 
+// The optical depth of an opaque voxel in light. A twentieth of it is opaque in any image, and
+// floats tell places in it apart.
+constexpr double DepthOfOpaqueVoxel = 256.0;
+
 // The error of each of the rays to all sides, in parts of that of their mean.
 constexpr double ErrorOfOneRay = 4.0;
 
@@ -108,6 +112,10 @@ void LightResources::UpdateShadows(
   for (PacketShadows& ofPart : this->shadows)
   {
     ofPart.tolerance = float(error);
+    if (IsInWayOfLights(march.settings))
+    {
+      ofPart.mostExtinction = float(DepthOfOpaqueVoxel / voxelMm);
+    }
     if (hasLattices)
     {
       ofPart.shape = LightLattice::ShapeOfLight(march.frame.geometry.dimensions);

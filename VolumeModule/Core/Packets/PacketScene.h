@@ -110,6 +110,8 @@ struct PacketShadows
   float nodeStepMm; ///< longest segment of the rays that fill nodes
   float agreement;  ///< largest difference between the nodes of a cell that is used
   float tolerance;  ///< error that a shadow may add to a colour; 0: none
+  /// Extinction of opaque matter in light [1/mm]. Floats tell places in it apart.
+  float mostExtinction = 1e30f;
 };
 
 /// Light from all around, as far as matter lets it through: ambient occlusion.

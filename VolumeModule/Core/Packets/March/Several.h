@@ -49,8 +49,13 @@ PacketSum MarchTogether(const PacketPiece& piece, Constituent& last, Light light
     for (int i = 0; i < PartsPerSegment; ++i)
     {
       const Optical& part = mixture.parts[i];
-      light.Gather(sum, i, { parts.MiddleOf(i), partMm }, part.extinction);
-      sum.Add({ (1.0f / Max(part.extinction, All(1e-30f))) * part.color, part.extinction }, partMm);
+      const Lanes3 color = (1.0f / Max(part.extinction, All(1e-30f))) * part.color;
+      light.InPieces(part.extinction, sum.transmittance, { parts.MiddleOf(i), partMm },
+        [&](const RayPart& piece)
+        {
+          light.Gather(sum, i, piece, part.extinction);
+          sum.Add({ color, part.extinction }, piece.lengthMm);
+        });
     }
     going &= GoOn(first, rays, t, sum);
   }

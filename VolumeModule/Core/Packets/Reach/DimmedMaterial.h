@@ -232,15 +232,25 @@ public:
 
   void Add(PacketSum& sum, Lanes value, const OpenSurface& surface, const RayPart& part)
   {
-    const Optical look = this->LookOf(value, surface.gradient);
+    Optical look = this->LookOf(value, surface.gradient);
+    look.extinction = Min(look.extinction, All(this->scene.shadows.mostExtinction));
     const LaneMask isSeen = LaneMask(look.extinction * part.lengthMm > 0.0f);
     if (!Any(isSeen))
     {
       return;
     }
-    const Lanes3 color = this->lightCount > 0 ? this->GatheredFrom(sum, look, surface, part, isSeen)
-                                              : this->Shaded(look.color, surface, part.t);
-    sum.Add({ surface.open * color, look.extinction }, part.lengthMm);
+    if (this->lightCount == 0)
+    {
+      const Lanes3 color = this->Shaded(look.color, surface, part.t);
+      sum.Add({ surface.open * color, look.extinction }, part.lengthMm);
+      return;
+    }
+    this->gathered.InPieces(look.extinction, sum.transmittance, part,
+      [&](const RayPart& piece)
+      {
+        const Lanes3 color = this->GatheredFrom(sum, look, surface, piece, isSeen);
+        sum.Add({ surface.open * color, look.extinction }, piece.lengthMm);
+      });
   }
 
   [[gnu::noinline]] void AddGathered(PacketSum& sum)
@@ -255,11 +265,11 @@ private:
   Lanes3 GatheredFrom(PacketSum& sum, const Optical& look, const OpenSurface& surface,
     const RayPart& part, LaneMask isSeen)
   {
-    if (this->gathered.IsFullAt(part.t, isSeen))
+    if (this->gathered.IsFullAt(part.t, isSeen, look.extinction))
     {
       this->AddGathered(sum);
     }
-    this->gathered.MoveTo(part.t, isSeen);
+    this->gathered.MoveTo(part.t, isSeen, look.extinction);
     const Lanes seen = surface.open * sum.transmittance *
       Absorption(Min(look.extinction * part.lengthMm, All(100.0f)));
     const RayPart inShadow{ part.t, 2.0f * this->gathered.HalfLengthMm(part.lengthMm) };

@@ -4,6 +4,7 @@
 // The light that samples reflect, kept until it is known how much of it reaches them. Light counts
 // only in proportion to what an eye sees of it, which is known at the end of a stretch of the ray.
 
+#include "Core/Packets/Reach/AbsorbingPieces.h"
 #include "Core/Packets/Reach/LitPlaces.h"
 
 namespace varimarch
@@ -13,9 +14,9 @@ namespace
 {
 
 /// The light that the samples of a packet's rays would reflect without shadows, in intervals of one
-/// length. In each, the optical depth to a light is taken as linear: of a quadratic through the
-/// light at both ends and in the middle, where it is the geometric mean, each sample has three
-/// coefficients, which are added up.
+/// length, and shorter ones in dense matter. In each, the optical depth to a light is taken as
+/// linear: of a quadratic through the light at both ends and in the middle, where it is the
+/// geometric mean, each sample has three coefficients, which are added up.
 class GatheredLight
 {
 public:
@@ -23,30 +24,41 @@ public:
   GatheredLight(int lightCount, float intervalMm)
     : lightCount(lightCount)
     , intervalMm(intervalMm)
+    , lengthMm(All(intervalMm))
   {
     this->Clear();
   }
 
-  /// True if samples at t do not fit before a Flush().
-  bool IsFullAt(Lanes t, LaneMask mask) const
+  /// See AddInPieces.
+  template <class Add>
+  static void InPieces(Lanes extinction, const Lanes& transmittance, const RayPart& part, Add add)
   {
-    const LaneMask moves = this->MovesTo(t, mask);
+    AddInPieces(extinction, transmittance, part, add);
+  }
+
+  /// True if samples at t do not fit before a Flush().
+  bool IsFullAt(Lanes t, LaneMask mask, Lanes extinction) const
+  {
+    const LaneMask moves = this->MovesTo(t, mask, extinction);
     return Any(moves & (IntLanesAt(this->count) >= MostIntervals - 1));
   }
 
   /// Goes to samples. Along each ray t ascends.
-  void MoveTo(Lanes t, LaneMask mask)
+  /// @param extinction  of the matter there
+  void MoveTo(Lanes t, LaneMask mask, Lanes extinction)
   {
-    const LaneMask moves = this->MovesTo(t, mask);
+    const LaneMask moves = this->MovesTo(t, mask, extinction);
     if (Any(moves))
     {
-      const Lanes to = this->from + this->intervalMm;
-      const LaneMask goesOn = moves & this->isOpen & LaneMask(t <= to + this->intervalMm);
+      const Lanes to = this->from + this->lengthMm;
+      const Lanes nextMm = this->LongestMm(extinction);
+      const LaneMask goesOn = moves & this->isOpen & LaneMask(t >= to) & LaneMask(t <= to + nextMm);
       this->Close(moves & this->isOpen);
       this->from = Select(moves, Select(goesOn, to, t), this->from);
+      this->lengthMm = Select(moves, nextMm, this->lengthMm);
       this->isOpen |= moves;
     }
-    const Lanes along = (1.0f / this->intervalMm) * (t - this->from);
+    const Lanes along = (t - this->from) / this->lengthMm;
     this->atStart = (1.0f - along) * (1.0f - 2.0f * along);
     this->inMiddle = 4.0f * along * (1.0f - along);
     this->atEnd = along * (2.0f * along - 1.0f);
@@ -105,7 +117,7 @@ private:
   };
 
   /// The same of one ray.
-  struct RayPart
+  struct PartOfRay
   {
     float atStart[3];
     float inMiddle[3];
@@ -130,10 +142,19 @@ private:
     this->isOpen = LaneMask{};
   }
 
-  LaneMask MovesTo(Lanes t, LaneMask mask) const
+  // The longest interval in which matter lets the light through that a quadratic can follow.
+  Lanes LongestMm(Lanes extinction) const
   {
-    const LaneMask isInside =
-      LaneMask(t >= this->from) & LaneMask(t <= this->from + this->intervalMm);
+    constexpr float MostDepth = 1.0f;
+    return Min(MostDepth / Max(extinction, All(1e-30f)), All(this->intervalMm));
+  }
+
+  LaneMask MovesTo(Lanes t, LaneMask mask, Lanes extinction) const
+  {
+    constexpr float TooLong = 2.0f;
+    const LaneMask isInside = LaneMask(t >= this->from) &
+      LaneMask(t <= this->from + this->lengthMm) &
+      LaneMask(this->lengthMm <= TooLong * this->LongestMm(extinction));
     return mask & ~(this->isOpen & isInside);
   }
 
@@ -141,12 +162,13 @@ private:
   {
     const IntNumbers closes(mask);
     const Numbers start(this->from);
+    const Numbers length(this->lengthMm);
     for (int light = 0; light < this->lightCount; ++light)
     {
       const Part& part = this->open[light];
-      this->CloseVector(closes, part.atStart, light, &RayPart::atStart);
-      this->CloseVector(closes, part.inMiddle, light, &RayPart::inMiddle);
-      this->CloseVector(closes, part.atEnd, light, &RayPart::atEnd);
+      this->CloseVector(closes, part.atStart, light, &PartOfRay::atStart);
+      this->CloseVector(closes, part.inMiddle, light, &PartOfRay::inMiddle);
+      this->CloseVector(closes, part.atEnd, light, &PartOfRay::atEnd);
       const Lanes3 nothing(0.0f);
       this->open[light] = { Select(mask, nothing, part.atStart),
         Select(mask, nothing, part.inMiddle), Select(mask, nothing, part.atEnd) };
@@ -155,6 +177,7 @@ private:
     {
       if (closes.of[lane] != 0)
       {
+        this->lengthsMm[this->count[lane]][lane] = length.of[lane];
         this->starts[this->count[lane]++][lane] = start.of[lane];
       }
     }
@@ -162,7 +185,7 @@ private:
   }
 
   void CloseVector(
-    const IntNumbers& closes, const Lanes3& vector, int light, float (RayPart::*member)[3])
+    const IntNumbers& closes, const Lanes3& vector, int light, float (PartOfRay::*member)[3])
   {
     const Numbers red(vector.x);
     const Numbers green(vector.y);
@@ -179,11 +202,15 @@ private:
     }
   }
 
+  float EndOf(int interval, int lane) const
+  {
+    return this->starts[interval][lane] + this->lengthsMm[interval][lane];
+  }
+
   // True if an interval begins where the one before it ends.
   bool GoesOn(int interval, int lane) const
   {
-    return interval > 0 &&
-      this->starts[interval][lane] == this->starts[interval - 1][lane] + this->intervalMm;
+    return interval > 0 && this->starts[interval][lane] == this->EndOf(interval - 1, lane);
   }
 
   void SetPlaces(int light, int lane, LitPlaces& places) const
@@ -191,7 +218,7 @@ private:
     int place = -1;
     for (int i = 0; i < this->count[lane]; ++i)
     {
-      const RayPart& part = this->parts[light][i][lane];
+      const PartOfRay& part = this->parts[light][i][lane];
       const float middle = 0.5f * LargestOf(part.inMiddle);
       if (!this->GoesOn(i, lane))
       {
@@ -201,7 +228,7 @@ private:
       }
       places.weight[place][lane] += LargestOf(part.atStart) + middle;
       ++place;
-      places.t[place][lane] = this->starts[i][lane] + this->intervalMm;
+      places.t[place][lane] = this->EndOf(i, lane);
       places.weight[place][lane] = LargestOf(part.atEnd) + middle;
     }
     places.count[lane] = place + 1;
@@ -216,7 +243,7 @@ private:
       const float start = places.light[place][lane];
       const float end = places.light[++place][lane];
       const float middle = __builtin_sqrtf(start * end);
-      const RayPart& part = this->parts[light][i][lane];
+      const PartOfRay& part = this->parts[light][i][lane];
       for (int channel = 0; channel < 3; ++channel)
       {
         color[channel][lane] += start * part.atStart[channel] + middle * part.inMiddle[channel] +
@@ -226,16 +253,18 @@ private:
   }
 
   int lightCount;
-  float intervalMm;
-  LaneMask isOpen; ///< the rays that have an interval that is not closed
-  Lanes from = {}; ///< where it begins
-  Lanes atStart;   ///< coefficients of the samples
+  float intervalMm; ///< longest interval
+  LaneMask isOpen;  ///< the rays that have an interval that is not closed
+  Lanes from = {};  ///< where it begins
+  Lanes lengthMm;
+  Lanes atStart; ///< coefficients of the samples
   Lanes inMiddle;
   Lanes atEnd;
   Part open[MostShadowedLights];
   int count[LaneCount];                   ///< number of closed intervals of each ray
   float starts[MostIntervals][LaneCount]; ///< where they begin
-  RayPart parts[MostShadowedLights][MostIntervals][LaneCount];
+  float lengthsMm[MostIntervals][LaneCount];
+  PartOfRay parts[MostShadowedLights][MostIntervals][LaneCount];
 };
 
 }

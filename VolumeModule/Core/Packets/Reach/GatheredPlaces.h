@@ -25,15 +25,22 @@ public:
   {
   }
 
+  /// Boxes are marched in pieces already.
+  template <class Add>
+  static void InPieces(Lanes, const Lanes&, const RayPart& part, Add add)
+  {
+    add(part);
+  }
+
   /// True if samples do not fit before a Flush().
-  bool IsFullAt(Lanes, LaneMask mask) const
+  bool IsFullAt(Lanes, LaneMask mask, Lanes) const
   {
     const IntLanes counts = IntLanesOf([&](int lane) { return this->count[lane]; });
     return Any(mask & (counts >= LitPlaces::MostPerRay));
   }
 
   /// Goes to samples. Along each ray t ascends.
-  void MoveTo(Lanes t, LaneMask mask)
+  void MoveTo(Lanes t, LaneMask mask, Lanes)
   {
     const Numbers place(t);
     const IntNumbers moves(mask);

@@ -82,13 +82,15 @@ public:
     }
     const Lanes extinction = this->IsOfValues() ? varimarch::ExtinctionOf(this->scene.look, value)
                                                 : this->material.LookOf(value, gradient).extinction;
-    return this->scene.parameters.partWeights[this->scene.constituent.component] * extinction;
+    const float weight = this->scene.parameters.partWeights[this->scene.constituent.component];
+    return Min(weight * extinction, All(this->scene.shadows.mostExtinction));
   }
 
 private:
   [[gnu::noinline]] Lanes ExtinctionOfLabels(Lanes value, const Lanes3& gradient) const
   {
-    return this->looks.Of(this->mask.Content(), value, gradient).extinction;
+    return Min(this->looks.Of(this->mask.Content(), value, gradient).extinction,
+      All(this->scene.shadows.mostExtinction));
   }
 
   const PacketScene& scene;

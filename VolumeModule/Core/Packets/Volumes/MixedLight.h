@@ -199,6 +199,13 @@ public:
     return this->emission;
   }
 
+  /// See AddInPieces.
+  template <class Add>
+  static void InPieces(Lanes extinction, const Lanes& transmittance, const RayPart& part, Add add)
+  {
+    GatheredLight::InPieces(extinction, transmittance, part, add);
+  }
+
   /// Gathers the light of a part of the segment, before it is added to the sum.
   void Gather(PacketSum& sum, int index, const RayPart& part, Lanes extinction)
   {
@@ -208,11 +215,11 @@ public:
     {
       return;
     }
-    if (this->gathered.IsFullAt(part.t, isSeen))
+    if (this->gathered.IsFullAt(part.t, isSeen, extinction))
     {
       this->AddGathered(sum);
     }
-    this->gathered.MoveTo(part.t, isSeen);
+    this->gathered.MoveTo(part.t, isSeen, extinction);
     const Lanes seen = Select(isSeen,
       sum.transmittance * Absorption(Min(depth, All(100.0f))) / Max(extinction, All(1e-30f)),
       Lanes{});
@@ -247,6 +254,11 @@ private:
 class UnmixedLight
 {
 public:
+  template <class Add>
+  static void InPieces(Lanes, const Lanes&, const RayPart& part, Add add)
+  {
+    add(part);
+  }
   static void Gather(PacketSum&, int, const RayPart&, Lanes) {}
   static void AddGathered(PacketSum&) {}
 };

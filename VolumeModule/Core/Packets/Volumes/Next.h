@@ -163,7 +163,7 @@ private:
   Lanes Mixed(Lanes extinction, LaneMask mask) const
   {
     const float weight = this->scene.parameters.partWeights[this->scene.constituent.component];
-    return Select(mask, weight * extinction, Lanes{});
+    return Select(mask, Min(weight * extinction, All(this->scene.shadows.mostExtinction)), Lanes{});
   }
 
   static void Add(Optical& sum, const Lanes3& color, Lanes extinction)
