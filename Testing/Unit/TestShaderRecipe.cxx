@@ -319,7 +319,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 282u);
+  EXPECT_EQ(distinct.size(), 287u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)
