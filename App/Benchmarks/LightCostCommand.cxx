@@ -1,17 +1,11 @@
 #include "Commands.h"
 
-#include "CommandLine/OutputFolder.h"
 #include "CommandLine/PictureError.h"
-#include "CommandLine/Progress.h"
 #include "CommandLine/Results.h"
 #include "LightPromises.h"
-#include "Machine.h"
-#include "Scene/OutputFile.h"
+#include "LightRun.h"
 
 #include <nlohmann/json.hpp>
-
-#include <filesystem>
-#include <iostream>
 
 namespace varimarch
 {
@@ -19,12 +13,10 @@ namespace varimarch
 namespace
 {
 
-/// The measurements of a feature, and how they were made.
+/// The measurements of a feature.
 struct LightCostPage
 {
-  std::string commandText;
-  Machine machine;
-  LightCostOptions options;
+  LightRun run;
   std::vector<LightCost> cases;
   std::vector<LightPromises> promises; ///< in the order of the cases
 };
@@ -48,16 +40,16 @@ std::string Row(const LightCost& measured)
 
 std::string Markdown(const LightCostPage& page)
 {
-  const std::string side = std::to_string(page.options.side);
-  const std::string feature = page.options.feature.text;
-  std::string text = "# Cost of " + feature + "\n\n" + TextOf(page.machine) + ". Images of " +
-    side + " x " + side + ", error tolerance " + Fixed(255.0 * page.options.errorTolerance, 2) +
-    " of 255, one light fixed in the world, medians of " + std::to_string(page.options.rounds) +
-    " alternating rounds. Made by\n\n    " + page.commandText + "\n\nTimes without and with " +
+  const std::string side = std::to_string(page.run.options.side);
+  const std::string feature = page.run.options.feature.text;
+  std::string text = "# Cost of " + feature + "\n\n" + TextOf(page.run.machine) + ". Images of " +
+    side + " x " + side + ", error tolerance " + Fixed(255.0 * page.run.options.errorTolerance, 2) +
+    " of 255, one light fixed in the world, medians of " + std::to_string(page.run.options.rounds) +
+    " alternating rounds. Made by\n\n    " + page.run.commandText + "\n\nTimes without and with " +
     feature + " [ms] and their factor, still, while the camera turns, and while the " +
-    page.options.feature.dragged +
+    page.run.options.feature.dragged +
     " is dragged; the first frame with it [ms]; and its errors [1/255] against rays with samples " +
-    Fixed(FineDistanceVoxels(page.options.errorTolerance), 3) +
+    Fixed(FineDistanceVoxels(page.run.options.errorTolerance), 3) +
     " of a voxel apart.\n\n"
     "| scene | still | with | factor | turning | with | factor | dragged | with | factor "
     "| first | RMSE | 99.9 % | largest |\n"
@@ -72,7 +64,7 @@ std::string Markdown(const LightCostPage& page)
     text += std::string(motion > 0 ? ", " : " ") + MotionNames[motion] + " " +
       Fixed(MeanFactor(page.cases, Motions[motion]), 2);
   }
-  return text + ".\n" + MarkdownOf(page.promises, page.options);
+  return text + ".\n" + MarkdownOf(page.promises, page.run.options);
 }
 
 nlohmann::ordered_json ToJson(const std::vector<LightPromise>& promises)
@@ -88,9 +80,7 @@ nlohmann::ordered_json ToJson(const std::vector<LightPromise>& promises)
 
 nlohmann::ordered_json ToJson(const LightCostPage& page)
 {
-  nlohmann::ordered_json json = { { "command", page.commandText },
-    { "machine", ToJson(page.machine) }, { "side", page.options.side },
-    { "errorTolerance", page.options.errorTolerance } };
+  nlohmann::ordered_json json = ToJson(page.run);
   for (std::size_t i = 0; i < page.cases.size(); ++i)
   {
     const LightCost& measured = page.cases[i];
@@ -105,24 +95,17 @@ nlohmann::ordered_json ToJson(const LightCostPage& page)
 
 void RunLightCost(const LightCostArguments& arguments)
 {
-  LightCostPage page = { arguments.report.commandText, ThisMachine(), arguments.options, {}, {} };
-  const SpeedScenes loaded = LoadBenchScenes(arguments.scenes);
-  const std::filesystem::path folder = OutputFolder(arguments.report.outputFolder);
-  const std::string name = page.options.feature.name;
-  for (const LoadedScene& scene : loaded.scenes)
+  LightCostPage page{ LightRunOf(arguments), {}, {} };
+  SceneBySceneBench bench;
+  bench.name = arguments.options.feature.name;
+  bench.measure = [&](const LoadedScene& scene, const OnStep& onStep)
   {
-    SetInterruptNotice(folder,
-      std::to_string(page.cases.size()) + " of " + std::to_string(loaded.scenes.size()) +
-        " scenes");
-    Progress progress("Measuring " + scene.name);
-    const OnStep onStep = [&](const std::string& step) { progress.SetActivity(step); };
-    page.cases.push_back(MeasureLightCost(scene, page.options, onStep));
-    page.promises.push_back({ scene.name, MeasureLightPromises(scene, page.options, onStep) });
-    WriteResults(ToJson(page), folder / (name + ".json"));
-    WriteResults(ToJson(page), arguments.report.jsonPath);
-    WriteFileWhole(folder / (name + ".md"), Markdown(page));
-  }
-  std::cout << Markdown(page);
+    page.cases.push_back(MeasureLightCost(scene, page.run.options, onStep));
+    page.promises.push_back({ scene.name, MeasureLightPromises(scene, page.run.options, onStep) });
+  };
+  bench.json = [&] { return ToJson(page); };
+  bench.markdown = [&] { return Markdown(page); };
+  RunSceneByScene(arguments, bench);
 }
 
 }

@@ -84,16 +84,16 @@ std::string SceneTable(const LightMethodsPage& page)
 
 std::string MarkdownOf(const LightMethodsPage& page)
 {
-  const std::string side = std::to_string(page.options.side);
-  std::string text = "# Methods of light\n\n" + TextOf(page.machine) + ". " +
+  const std::string side = std::to_string(page.run.options.side);
+  std::string text = "# Methods of light\n\n" + TextOf(page.run.machine) + ". " +
     std::to_string(page.cases.size()) + " scenes, images of " + side + " x " + side +
-    ", one light fixed in the world, medians of " + std::to_string(page.options.rounds) +
+    ", one light fixed in the world, medians of " + std::to_string(page.run.options.rounds) +
     " alternating rounds. Ours has an error tolerance of " +
-    Fixed(255.0 * page.options.errorTolerance, 2) +
+    Fixed(255.0 * page.run.options.errorTolerance, 2) +
     " of 255; the samples and slices of all others are a voxel apart. Errors [1/255] are against "
     "our own rays with samples " +
-    Fixed(FineDistanceVoxels(page.options.errorTolerance), 3) +
-    " of a voxel apart. Made by\n\n    " + page.commandText +
+    Fixed(FineDistanceVoxels(page.run.options.errorTolerance), 3) +
+    " of a voxel apart. Made by\n\n    " + page.run.commandText +
     "\n\n## All scenes together\nMedians of the errors and the largest of 99.9 % of the pixels; "
     "geometric means of the times, relative to ours; the most memory for light.\n\n"
     "| method | what it is | RMSE | 99.9 % | largest 99.9 % | still | light dragged | MB |\n"
@@ -133,9 +133,7 @@ std::string CsvOf(const LightMethodsPage& page)
 
 nlohmann::ordered_json ToJson(const LightMethodsPage& page)
 {
-  nlohmann::ordered_json json = { { "command", page.commandText },
-    { "machine", ToJson(page.machine) }, { "side", page.options.side },
-    { "errorTolerance", page.options.errorTolerance } };
+  nlohmann::ordered_json json = ToJson(page.run);
   for (const LightMethodsCase& measured : page.cases)
   {
     nlohmann::ordered_json methods;

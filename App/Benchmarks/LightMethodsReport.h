@@ -2,7 +2,7 @@
 #define Varimarch_Benchmarks_LightMethodsReport_h
 
 #include "LightMethodsBench.h"
-#include "Machine.h"
+#include "LightRun.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -12,12 +12,10 @@
 namespace varimarch
 {
 
-/// The measurements of `varimarch-bench light-methods`, and how they were made.
+/// The measurements of `varimarch-bench light-methods`.
 struct LightMethodsPage
 {
-  std::string commandText;
-  Machine machine;
-  LightCostOptions options;
+  LightRun run;
   std::vector<LightMethodsCase> cases; ///< at least one
 };
 
