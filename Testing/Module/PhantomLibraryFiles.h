@@ -34,6 +34,7 @@ struct MincOptions
 {
   bool isScaled = false; ///< true: extremes of each slice, which make real values of stored ones
   int timeCount = 0;     ///< number of equal volumes; 0: no dimension of time
+  bool hasOddMinima = false; ///< true: the smallest values vary along an axis more than the largest
 };
 
 void WriteMinc1(

@@ -77,15 +77,16 @@ void WriteMinc1(const std::string& path, const StoredVolume& volume, const MincO
     nc_put_att_text(file, variable, "spacing", 9, "regular__");
   }
   const int extremeRank = options.isScaled ? int(dimensions.size()) - 2 : 0;
+  const int minimumRank = extremeRank + (options.hasOddMinima ? 1 : 0);
   int extremes[2] = {};
-  nc_def_var(file, "image-min", NC_DOUBLE, extremeRank, dimensions.data(), &extremes[0]);
+  nc_def_var(file, "image-min", NC_DOUBLE, minimumRank, dimensions.data(), &extremes[0]);
   nc_def_var(file, "image-max", NC_DOUBLE, extremeRank, dimensions.data(), &extremes[1]);
   int image = -1;
   nc_def_var(file, "image", NC_SHORT, int(dimensions.size()), dimensions.data(), &image);
   nc_put_att_text(file, image, "signtype", 8, "signed__");
   nc_put_att_double(file, image, "valid_range", NC_DOUBLE, 2, validRange);
   nc_enddef(file);
-  for (int end = 0; end < 2; ++end)
+  for (int end = options.hasOddMinima ? 1 : 0; end < 2; ++end)
   {
     nc_put_var_double(file, extremes[end], Extremes(volume, options, end).data());
   }
@@ -165,9 +166,15 @@ void WriteMinc2(const std::string& path, const StoredVolume& volume, const MincO
   }
   const std::vector<hsize_t> extremeLengths(
     lengths.begin(), options.isScaled ? lengths.end() - 2 : lengths.begin());
+  std::vector<hsize_t> minimumLengths = extremeLengths;
+  std::vector<double> minima = Extremes(volume, options, 0);
+  if (options.hasOddMinima)
+  {
+    minimumLengths.push_back(2);
+    minima.resize(2 * minima.size());
+  }
   const std::string folder = "/minc-2.0/image/0/";
-  H5Dclose(PutData(
-    file, folder + "image-min", H5T_IEEE_F64LE, extremeLengths, Extremes(volume, options, 0)));
+  H5Dclose(PutData(file, folder + "image-min", H5T_IEEE_F64LE, minimumLengths, minima));
   H5Dclose(PutData(
     file, folder + "image-max", H5T_IEEE_F64LE, extremeLengths, Extremes(volume, options, 1)));
   std::vector<double> values;

@@ -2,6 +2,8 @@
 #include "PhantomFormats.h"
 #include "PhantomLibraryFiles.h"
 
+#include "Support/ExpectedVtkErrors.h"
+
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
@@ -284,6 +286,22 @@ TEST(VolumeFormats, MincSlicesHaveTheirOwnScale)
     Read(reader, folder.Path("a.mnc"));
     ExpectValues(reader, VTK_FLOAT, real);
     EXPECT_TRUE(Warns(reader, "2 volumes"));
+  }
+}
+
+// The libraries would read indices behind the end of those that they are given.
+TEST(VolumeFormats, MincExtremesAlongOtherAxesAreRefused)
+{
+  const TemporaryFolder folder;
+  for (const auto write : { WriteMinc1, WriteMinc2 })
+  {
+    const ExpectedVtkErrors errors;
+    vtkNew<vtkVolumeFileReader> reader;
+    write(folder.Path("a.mnc"), phantom::Stored(0), { true, 0, true });
+    reader->SetFileName(folder.Path("a.mnc").c_str());
+    reader->Update();
+    const std::string message = reader->GetErrorMessage();
+    EXPECT_NE(message.find("expected image-min"), std::string::npos) << message;
   }
 }
 

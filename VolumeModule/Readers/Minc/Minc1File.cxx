@@ -30,8 +30,10 @@ public:
       count *= length;
     }
     std::vector<double> values(count);
+    const int variable = this->Variable(name);
+    this->RequireRank(name, variable, part.count.size());
     this->Require(nc_get_vara_double(
-      this->file, this->Variable(name), part.start.data(), part.count.data(), values.data()));
+      this->file, variable, part.start.data(), part.count.data(), values.data()));
     return values;
   }
 
@@ -42,6 +44,18 @@ private:
     {
       FailToRead(
         this->path, "a MINC image in netCDF", "the fault " + Quoted(nc_strerror(status), 160));
+    }
+  }
+
+  // netCDF reads as many indices as the variable has axes.
+  void RequireRank(const std::string& name, int variable, std::size_t expected) const
+  {
+    int rank = 0;
+    this->Require(nc_inq_varndims(this->file, variable, &rank));
+    if (std::size_t(rank) != expected)
+    {
+      FailToRead(this->path, name + " along " + std::to_string(expected) + " axes, as image-max",
+        std::to_string(rank));
     }
   }
 

@@ -64,6 +64,8 @@ void Minc2File::Read(hid_t dataset, const MincPart& part, hid_t type, void* dest
   const SilentHdf5 silentHere;
   const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
   const auto rank = int(part.count.size());
+  this->Require(H5Sget_simple_extent_ndims(space) == rank,
+    "image-min and image-max along as many axes"); // HDF5 reads as many indices as the data has
   const std::vector<hsize_t> start(part.start.begin(), part.start.end());
   const std::vector<hsize_t> count(part.count.begin(), part.count.end());
   const Hdf5Handle memory(
@@ -103,8 +105,10 @@ std::string Minc2File::Text(hid_t object, const char* name) const
   }
   const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
   const std::size_t length = H5Tget_size(type);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || length > 65536)
+  if (H5Sget_simple_extent_npoints(space) != 1 || H5Tget_class(type) != H5T_STRING ||
+    H5Tis_variable_str(type) > 0 || length > 65536)
   {
     return "";
   }
@@ -125,6 +129,9 @@ void Minc2File::TakeType()
   this->valueBytes = H5Tget_size(this->imageType);
   const H5T_class_t type = H5Tget_class(this->imageType);
   this->Require(type == H5T_INTEGER || type == H5T_FLOAT, "an image of real numbers");
+  const Hdf5Handle native(H5Tget_native_type(this->imageType, H5T_DIR_ASCEND), H5Tclose);
+  this->Require(native >= 0 && H5Tget_size(native) == this->valueBytes,
+    "numbers of 1, 2, 4 or 8 bytes"); // others are read as larger ones
   const bool isSigned = type == H5T_INTEGER && H5Tget_sign(this->imageType) == H5T_SGN_2;
   this->kind = type == H5T_FLOAT ? NumberKind::Float
     : isSigned                   ? NumberKind::Signed
