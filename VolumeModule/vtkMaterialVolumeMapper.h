@@ -70,14 +70,17 @@ public:
    *
    * The same faces receive the shadows of the renderer's volumes: the colours that VTK has drawn
    * are multiplied by the part of their light that is left, also those of lines or glyphs that lie
-   * on a face. Several volumes with mappers of their own leave their common shadow. With
-   * RenderToImage the faces in the window are dimmed, if there is one volume. Depth peeling, shader
-   * code of the user, shaders for overlapping volumes or blocks, and images during interaction (see
-   * MinimumImageSampleDistance) leave all that out. So does a renderer that shows translucent
-   * geometry, or a volume of another mapper, whose colours the shadows would darken too. A volume
-   * outside the view, which VTK's vtkFrustumCoverageCuller leaves out, casts shadows on faces only
-   * if another one is in the view or the renderer has no such culler. VTK lets geometry cast
-   * shadows on geometry (vtkShadowMapPass).
+   * on a face. Several volumes with mappers of their own leave their common shadow. The steps of
+   * that light are found for it, so that it keeps the error tolerance. Images during interaction
+   * have as many places of light as rays of the volume (see MinimumImageSampleDistance). Behind
+   * translucent geometry, peeled or not, what that adds keeps its light; it is drawn twice then.
+   * With RenderToImage the faces in the window are dimmed. A volume that has been drawn once with
+   * shadows and geometry keeps casting them when it leaves the view: it adds a vtkCuller to the
+   * renderer, so that vtkFrustumCoverageCuller does not leave it out. Shader code of the user, and
+   * shaders for overlapping volumes or blocks, leave all that out. So does a renderer that shows a
+   * volume of another mapper without depth peeling for volumes, or translucent geometry by a
+   * vtkRenderPass of the caller or beside UseShadows. VTK lets geometry cast shadows on geometry
+   * (vtkShadowMapPass).
    */
   vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
   vtkGetMacro(Shadows, vtkTypeBool);

@@ -3,6 +3,7 @@
 #include "Frame/FrameBuilder.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
+#include "Frame/ShadowCuller.h"
 #include "Frame/VoxelsOnDisk.h"
 #include "March/AccuracyWarnings.h"
 #include "March/Device/GraphicsReset.h"
@@ -27,21 +28,40 @@
 #include <new>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
+
+namespace
+{
+
+double PixelCount(const varimarch::Frame& frame)
+{
+  return double(frame.view.viewport.width) * frame.view.viewport.height;
+}
+
+}
+
+std::optional<varimarch::PictureQuality> vtkVariationFieldVolumeMapper::Internals::QualityOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame) const
+{
+  return varimarch::IsInteractive(mapper, volume, frame)
+    ? std::optional<varimarch::PictureQuality>(this->Quality.Now(PixelCount(frame)))
+    : std::nullopt;
+}
 
 // Draws at the quality that the allocated time permits, or at full quality if nobody interacts.
 void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
   vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame)
 {
   varimarch::RayMarcher& marcher = *this->Last;
+  const double castSeconds = std::exchange(this->CastSeconds, 0.0);
   if (!varimarch::IsInteractive(mapper, volume, frame))
   {
     marcher.Draw(frame);
     return;
   }
-  const double allocatedSeconds = volume->GetAllocatedRenderTime();
-  const double pixels = double(frame.view.viewport.width) * frame.view.viewport.height;
-  const varimarch::PictureQuality quality = this->Quality.Next(allocatedSeconds, pixels);
+  const varimarch::PictureQuality quality =
+    this->Quality.Next(volume->GetAllocatedRenderTime(), PixelCount(frame));
   const int builds = marcher.ResourceBuilds();
   frame.view.window->WaitForCompletion();
   vtkNew<vtkTimerLog> timer;
@@ -51,7 +71,7 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
   timer->StopTimer();
   if (marcher.ResourceBuilds() == builds)
   {
-    this->Quality.Took(timer->GetElapsedTime());
+    this->Quality.Took(castSeconds + timer->GetElapsedTime());
   }
 }
 
@@ -102,10 +122,18 @@ void vtkVariationFieldVolumeMapper::Internals::Draw(
 
 void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
-  const bool isAlone = varimarch::DrawingMapper(volume) != this || this->RenderToImage ||
-    varimarch::PassOfVolume(this, renderer, volume).kind != varimarch::RayPass::Whole;
-  isAlone ? Internals::Draw(this, renderer, volume)
-          : Internals::DrawInOrder(this, renderer, volume);
+  const varimarch::RayPass pass = varimarch::PassOfVolume(this, renderer, volume).kind;
+  const bool isPart = varimarch::DrawingMapper(volume) != this;
+  if (!isPart && !this->RenderToImage && pass == varimarch::RayPass::Whole)
+  {
+    Internals::DrawInOrder(this, renderer, volume);
+    return;
+  }
+  if (!isPart)
+  {
+    Internals::CastBeforeFirst(this, renderer, pass);
+  }
+  Internals::Draw(this, renderer, volume);
 }
 
 void vtkVariationFieldVolumeMapper::LockSampleDistance()
@@ -129,6 +157,10 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
     const auto instead = this->Private->Levels.FrameInstead(
       this, volume, *frame, this->Private->Last->AccumulatedImages() > 0);
     const bool isOfLevel = instead && instead->coarser.empty();
+    if (frame->settings.casters)
+    {
+      varimarch::KeepShadowsOutOfView(renderer);
+    }
     this->Private->Last = isOfLevel ? &this->Private->Levels.Marcher() : &this->Private->Marcher;
     frame->view.window->MakeCurrent();
     try

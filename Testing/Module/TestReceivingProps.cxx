@@ -1,8 +1,8 @@
 // The props that receive shadows of volumes.
 
 #include "Module/CubeAboveFloor.h"
+#include "Module/SecondCube.h"
 
-#include <vtkCullerCollection.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkInformation.h>
 #include <vtkInformationIntegerKey.h>
@@ -25,53 +25,6 @@ TEST(ReceivingProps, AreNoPropsThatCastNoShadowsAndNoWireframes)
   EXPECT_FALSE(cube.ShowsShadows());
   const std::vector<float> wires = cube.FloorRed(true);
   EXPECT_GT(*std::max_element(wires.begin(), wires.end()), 0.1f) << "no wire is seen";
-}
-
-TEST(ReceivingProps, WaitForTheStillImage)
-{
-  CubeAboveFloor cube;
-  cube.AddSun();
-  cube.scene.mapper->SetMaximumImageSampleDistance(1.0);
-  const std::vector<float> still = cube.FloorRed(true);
-  cube.scene.window->SetDesiredUpdateRate(20.0);
-  EXPECT_FALSE(cube.ShowsShadows());
-  cube.scene.window->SetDesiredUpdateRate(1e-3);
-  EXPECT_EQ(cube.FloorRed(true), still);
-  EXPECT_TRUE(cube.ShowsShadows());
-}
-
-namespace
-{
-
-// Another dark cube with a mapper of its own.
-class SecondCube
-{
-public:
-  SecondCube(CubeAboveFloor& first, glm::dvec3 center)
-    : center(center)
-  {
-    this->mapper->SetInputData(first.scene.image);
-    this->mapper->SetErrorTolerance(0.0);
-    this->mapper->ShadowsOn();
-    this->volume->SetMapper(this->mapper);
-    this->volume->SetProperty(first.scene.volume->GetProperty());
-    this->volume->SetPosition(center.x, center.y, center.z);
-    first.scene.renderer->AddVolume(this->volume);
-  }
-
-  double Leaves(glm::dvec3 place, glm::dvec3 towards) const
-  {
-    return LeftBehindCube(place - this->center, towards);
-  }
-
-  vtkNew<vtkVariationFieldVolumeMapper> mapper;
-  vtkNew<vtkVolume> volume;
-  glm::dvec3 center;
-};
-
-// A place above the first cube and beside the view, so that VTK culls it. Their shadows overlap.
-constexpr glm::dvec3 AboveFirst(8.0, 0.5, 18.0);
-
 }
 
 // With two lamps, the product of what volumes leave of each is not that of what they leave of all
@@ -250,31 +203,4 @@ TEST(ReceivingProps, GetTheirShadowOnceVolumesOfOtherMappersAreGone)
   cube.scene.Draw();
   second.volume->VisibilityOff();
   cube.ExpectOwnShadow();
-}
-
-// VTK culls what is out of the view.
-TEST(ReceivingProps, AreInTheShadowOfAVolumeOutOfTheViewIfItIsNotCulled)
-{
-  CubeAboveFloor cube;
-  cube.AddSun();
-  cube.LookDown({ -10.0, 0.0, 0.0 }, 2.5);
-  const std::vector<float> culled = cube.FloorRed(true);
-  EXPECT_NEAR(*std::min_element(culled.begin(), culled.end()), 0.64, OfBytes);
-  cube.scene.renderer->GetCullers()->RemoveAllItems();
-  cube.ExpectRed([](glm::dvec3 place)
-    { return 0.64 * LeftBehindCube(place, CubeAboveFloor::towardsSun); },
-    OfBytes);
-}
-
-TEST(ReceivingProps, AreLeftOutBehindTranslucentGeometry)
-{
-  CubeAboveFloor cube;
-  cube.AddSun();
-  const glm::dvec3 center(-7.0, 0.0, 12.0);
-  const auto ball = Ball(glm::value_ptr(center), 2.0);
-  ball->GetProperty()->SetOpacity(0.5);
-  cube.scene.renderer->AddActor(ball);
-  EXPECT_FALSE(cube.ShowsShadows());
-  ball->VisibilityOff();
-  EXPECT_TRUE(cube.ShowsShadows());
 }

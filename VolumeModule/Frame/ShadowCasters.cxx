@@ -1,6 +1,7 @@
 #include "Frame/ShadowCasters.h"
 
 #include "Frame/RendererVolumes.h"
+#include "Frame/RequestedPass.h"
 #include "Frame/VolumeGeometry.h"
 #include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
@@ -216,12 +217,20 @@ bool HasVolumesOfOthers(vtkRenderer* renderer)
   return false;
 }
 
-// A mapper that draws a part of a volume knows nothing of the light that other parts take.
+// A mapper that draws a part of a volume knows nothing of the light that other parts take. Passes
+// of the caller, and VTK's with shadow maps, blend translucent geometry in ways of their own.
+// Between layers of depths the colours of geometry are still alone, in another framebuffer.
 Shadowing ShadowingOf(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  if (DrawingMapper(volume) != mapper || HasTranslucentGeometry(renderer) ||
-    HasVolumesOfOthers(renderer))
+  if (DrawingMapper(volume) != mapper)
+  {
+    return Shadowing::Nothing;
+  }
+  const bool isBlendedByOthers =
+    HasTranslucentGeometry(renderer) && (renderer->GetPass() || renderer->GetUseShadows());
+  if (!Peels(PassOfVolume(mapper, renderer, volume).kind) &&
+    (isBlendedByOthers || HasVolumesOfOthers(renderer)))
   {
     return Shadowing::Nothing;
   }
@@ -261,6 +270,7 @@ ShadowCasters ShadowCastersOf(
     casters.surfaces.clear();
   }
   casters.shadowing = ShadowingOf(mapper, renderer, volume);
+  casters.lieBehindTranslucent = HasTranslucentGeometry(renderer);
   casters.originWorld = OriginNear(volume);
   casters.fingerprint.insert(casters.fingerprint.end(), glm::value_ptr(casters.originWorld),
     glm::value_ptr(casters.originWorld) + 3);

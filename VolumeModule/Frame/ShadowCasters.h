@@ -35,7 +35,7 @@ struct CastingSurface
 /// The volumes whose shadows the geometry of a renderer receives.
 enum class Shadowing
 {
-  Nothing, ///< Other colours may lie over those of geometry before a volume is drawn.
+  Nothing, ///< Unknown colours may lie over those of geometry before a volume is drawn.
   OneVolume,
   AllVolumes ///< All volumes of the renderer, before the first of them is drawn.
 };
@@ -50,6 +50,7 @@ struct ShadowCasters
   std::size_t triangleCount = 0;            ///< At most as many, with the cuts by planes.
   bool areTooMany = false; ///< True if there are too many triangles: then there are no surfaces.
   Shadowing shadowing = Shadowing::Nothing; ///< Volumes that also cast shadows on the surfaces.
+  bool lieBehindTranslucent = false; ///< True if VTK has blended translucent geometry over them.
 };
 
 ShadowCasters ShadowCastersOf(

@@ -7,6 +7,7 @@
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,16 @@ struct vtkVariationFieldVolumeMapper::Internals
 
   // Dims the opaque geometry of a renderer by what all its volumes leave of the light, before any
   // of them is drawn.
-  static void CastOnGeometry(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes);
+  static void CastOnGeometry(
+    vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, bool isBetweenLayers);
+
+  // The same where volumes are drawn alone: between layers of translucent geometry, or into images.
+  // The first volume of an image casts the shadows of all.
+  static void CastBeforeFirst(
+    vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, varimarch::RayPass pass);
+  DrawnAhead Cast; ///< The image for which another mapper has cast the shadows of this one.
+  double CastSeconds =
+    0.0; ///< The time that this has taken for this volume, while a user interacts.
 
   varimarch::RayMarcher Marcher;
   varimarch::LevelOfDetail Levels;
@@ -44,6 +54,10 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string ReportedError; ///< the last error that was reported, so that it is not repeated
   std::string ReportedWarning;
   varimarch::InteractiveQuality Quality;
+
+  // The quality of the next image; none for a still one.
+  std::optional<varimarch::PictureQuality> QualityOf(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame) const;
 
   void DrawInTime(
     vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const varimarch::Frame& frame);

@@ -99,17 +99,19 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->DrawImage(frame, plan);
 }
 
-void RayMarcher::CastOnGeometry(const Frame& frame, ReceivedLight& light, bool isLast)
+void RayMarcher::CastOnGeometry(
+  const Frame& frame, const std::optional<PictureQuality>& quality, ReceivedLight& light)
 {
   this->EnterWindow(frame.view.window);
-  MarchPlan plan = PlanOf(frame, {});
+  MarchPlan plan = PlanOf(frame, quality);
   this->UpdateResources(frame, plan);
-  this->TakeSteps(frame, plan);
   this->dimming.TakeLight(frame, plan, light);
-  if (isLast)
-  {
-    this->dimming.Draw(frame, plan, light);
-  }
+}
+
+void RayMarcher::DimGeometry(
+  const Frame& frame, const std::optional<PictureQuality>& quality, const ReceivedLight& light)
+{
+  this->dimming.Draw(frame, PlanOf(frame, quality), light);
 }
 
 bool RayMarcher::FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan)

@@ -40,10 +40,15 @@ public:
   /// @param quality  the quality of the image while a user interacts; none for a still image
   /// @throws std::runtime_error if the device cannot hold a resource or compile the shader
   void Draw(const Frame& frame, const std::optional<PictureQuality>& quality = {});
-  /// Lets one of several volumes cast its shadows on opaque geometry, before any of them is drawn.
-  /// @param light   what the volumes before it leave
-  /// @param isLast  true if the geometry is to be drawn with what all volumes leave
-  void CastOnGeometry(const Frame& frame, ReceivedLight& light, bool isLast);
+  /// Takes the light of a volume's shadows from opaque geometry, before any volume is drawn.
+  /// @param quality  the quality of the image while a user interacts; none for a still image
+  /// @param light    what the volumes before it leave
+  void CastOnGeometry(
+    const Frame& frame, const std::optional<PictureQuality>& quality, ReceivedLight& light);
+  /// Draws the geometry darker by what all volumes leave, after the last of them has cast its
+  /// shadows.
+  void DimGeometry(
+    const Frame& frame, const std::optional<PictureQuality>& quality, const ReceivedLight& light);
   /// The steps that keep the tolerance of a frame; none if it has no tolerance.
   std::optional<CommonSteps> FindSteps(const Frame& frame);
   /// Sets the steps of images that are not interactive; none: those of a search.

@@ -3,11 +3,14 @@
 #include "Frame/FrameBuilder.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/VoxelsOnDisk.h"
+#include "March/Device/OpaqueFramebuffer.h"
 #include "March/LevelOfDetail.h"
 #include "March/MapperInternals.h"
 
+#include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -24,24 +27,39 @@ struct Casting
 {
   vtkVariationFieldVolumeMapper* mapper;
   varimarch::Frame frame;
+  std::optional<varimarch::PictureQuality> quality;
 };
 
-std::optional<varimarch::Frame> FrameOnGeometry(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+bool Casts(const varimarch::Frame& frame)
 {
-  std::optional<varimarch::Frame> frame = varimarch::BuildFrame(mapper, renderer, volume);
-  const bool casts = frame && frame->settings.casters &&
-    frame->casters.shadowing == varimarch::Shadowing::AllVolumes &&
-    frame->pass.kind == varimarch::RayPass::Whole && !frame->image.toImages &&
-    !varimarch::IsInteractive(mapper, volume, *frame);
-  return casts ? std::move(frame) : std::nullopt;
+  return frame.settings.casters && frame.casters.shadowing != varimarch::Shadowing::Nothing &&
+    !varimarch::Picks(frame.pass.kind);
+}
+
+// The frame of the whole image of which layers are drawn. Volumes that VTK does not draw are not
+// asked for layers.
+varimarch::Frame WithoutLayers(varimarch::Frame frame)
+{
+  frame.pass = {};
+  frame.settings.pass = frame.pass.kind;
+  frame.settings.sceneGeometry = true;
+  frame.casters.lieBehindTranslucent = false;
+  frame.view.viewport = varimarch::ViewportOf(frame.view.renderer);
+  return frame;
+}
+
+// True if each of these volumes is drawn into images of its mapper.
+bool AreDrawnToImages(const std::vector<vtkVolume*>& volumes)
+{
+  return std::all_of(volumes.begin(), volumes.end(),
+    [](vtkVolume* volume) { return varimarch::DrawingMapper(volume)->GetRenderToImage() != 0; });
 }
 
 }
 
 // Faults are those of the drawing that follows, which reports them.
 void vtkVariationFieldVolumeMapper::Internals::CastOnGeometry(
-  vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes)
+  vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, bool isBetweenLayers)
 {
   try
   {
@@ -50,9 +68,12 @@ void vtkVariationFieldVolumeMapper::Internals::CastOnGeometry(
     {
       vtkVariationFieldVolumeMapper* const mapper = varimarch::DrawingMapper(volume);
       mapper->LockSampleDistance();
-      if (std::optional<varimarch::Frame> frame = FrameOnGeometry(mapper, renderer, volume))
+      std::optional<varimarch::Frame> frame = varimarch::BuildFrame(mapper, renderer, volume);
+      if (frame && Casts(*frame))
       {
-        all.push_back({ mapper, std::move(*frame) });
+        const auto quality = mapper->Private->QualityOf(mapper, volume, *frame);
+        all.push_back({ mapper,
+          isBetweenLayers ? WithoutLayers(std::move(*frame)) : std::move(*frame), quality });
       }
     }
     varimarch::ReceivedLight light;
@@ -60,13 +81,83 @@ void vtkVariationFieldVolumeMapper::Internals::CastOnGeometry(
     {
       const varimarch::VoxelsOnDisk onDisk(one.frame, one.mapper->MaximumHostMemory);
       one.frame.view.window->MakeCurrent();
-      one.mapper->Private->Marcher.CastOnGeometry(one.frame, light, &one == &all.back());
+      vtkNew<vtkTimerLog> timer;
+      timer->StartTimer();
+      one.mapper->Private->Marcher.CastOnGeometry(one.frame, one.quality, light);
+      if (&one == &all.back())
+      {
+        one.mapper->Private->Marcher.DimGeometry(one.frame, one.quality, light);
+      }
+      timer->StopTimer();
+      one.mapper->Private->CastSeconds = timer->GetElapsedTime();
     }
   }
   catch (const std::exception&)
   {
     return;
   }
+}
+
+void vtkVariationFieldVolumeMapper::Internals::CastBeforeFirst(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, varimarch::RayPass pass)
+{
+  const std::vector<vtkVolume*> volumes = varimarch::VolumesBackToFront(renderer);
+  const bool isBetweenLayers = pass == varimarch::RayPass::PeelOutside;
+  const bool isToImages =
+    pass == varimarch::RayPass::Whole && volumes.size() > 1 && AreDrawnToImages(volumes);
+  if (!isBetweenLayers && !isToImages)
+  {
+    return;
+  }
+  const vtkMTimeType time = varimarch::TimeOf(volumes, renderer);
+  const DrawnAhead cast = std::exchange(mapper->Private->Cast, {});
+  if (cast.Renderer == renderer && cast.Time == time)
+  {
+    return;
+  }
+  for (vtkVolume* volume : volumes)
+  {
+    vtkVariationFieldVolumeMapper* const other = varimarch::DrawingMapper(volume);
+    other->Private->Cast = other == mapper ? DrawnAhead{} : DrawnAhead{ renderer, time };
+  }
+  std::optional<varimarch::OpaqueFramebuffer> opaque;
+  if (isBetweenLayers)
+  {
+    opaque.emplace(renderer);
+  }
+  CastOnGeometry(renderer, volumes, isBetweenLayers);
+}
+
+namespace
+{
+
+/// The volumes of a renderer that are not left to VTK.
+struct OurVolumes
+{
+  std::vector<vtkVolume*> drawnNow; ///< Volumes that are drawn into images wait for their turn.
+  bool areAll = true;
+};
+
+OurVolumes OurVolumesOf(
+  const std::vector<vtkVolume*>& volumes, vtkRenderer* renderer, vtkVolume* first)
+{
+  OurVolumes ours;
+  for (vtkVolume* volume : volumes)
+  {
+    if (volume != first)
+    {
+      volume->Update();
+    }
+    const bool isOurs = volume == first || !varimarch::IsLeftToVtk(volume, renderer);
+    ours.areAll = ours.areAll && isOurs;
+    if (isOurs && !varimarch::DrawingMapper(volume)->GetRenderToImage())
+    {
+      ours.drawnNow.push_back(volume);
+    }
+  }
+  return ours;
+}
+
 }
 
 // Draws all volumes of the renderer back to front, or only this one if it is not among them.
@@ -86,23 +177,12 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInOrder(
     Draw(mapper, renderer, volume);
     return;
   }
-  std::vector<vtkVolume*> drawn;
-  for (vtkVolume* next : volumes)
+  const OurVolumes ours = OurVolumesOf(volumes, renderer, volume);
+  if (ours.areAll)
   {
-    if (next != volume)
-    {
-      next->Update();
-    }
-    if (next == volume || !varimarch::IsLeftToVtk(next, renderer)) // else it waits for its turn
-    {
-      drawn.push_back(next);
-    }
+    CastOnGeometry(renderer, volumes, false);
   }
-  if (drawn.size() == volumes.size())
-  {
-    CastOnGeometry(renderer, volumes);
-  }
-  for (vtkVolume* next : drawn)
+  for (vtkVolume* next : ours.drawnNow)
   {
     vtkVariationFieldVolumeMapper* const nextMapper = varimarch::DrawingMapper(next);
     if (next != volume)

@@ -101,6 +101,12 @@ PictureQuality InteractiveQuality::Next(double allocatedSeconds, double pixels)
   return levels[this->level].quality;
 }
 
+PictureQuality InteractiveQuality::Now(double pixels) const
+{
+  const bool isUnknown = this->levelIsGuessed && this->seconds == 0.0;
+  return levels[isUnknown ? LevelForPixels(pixels) : this->level].quality;
+}
+
 void InteractiveQuality::Took(double seconds)
 {
   this->seconds = seconds;

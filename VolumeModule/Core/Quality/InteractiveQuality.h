@@ -22,6 +22,9 @@ public:
   /// @param pixels  number of pixels of the frame
   PictureQuality Next(double allocatedSeconds, double pixels);
 
+  /// The quality that Next would return if it had not to change it.
+  PictureQuality Now(double pixels) const;
+
   /// Records the time of a frame drawn with the quality from Next. Must not be called for frames
   /// that had to build resources.
   void Took(double seconds);

@@ -38,7 +38,7 @@ Blending BlendingOf(const VolumeMarch& march)
   }
   if (march.settings.role == ShaderRole::DimGeometry)
   {
-    return Blending::Multiply;
+    return march.plan.addsUp ? Blending::AddToFramebuffer : Blending::Multiply;
   }
   if (Peels(pass))
   {

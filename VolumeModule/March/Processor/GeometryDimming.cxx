@@ -1,6 +1,9 @@
 #include "March/Processor/GeometryDimming.h"
 
 #include "Core/Packets/PacketMarch.h"
+#include "Core/Quality/StepSearch.h"
+#include "Frame/FrameMeasures.h"
+#include "March/Processor/FactorsBetween.h"
 #include "March/Processor/GeometryLight.h"
 #include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketScenes.h"
@@ -14,6 +17,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -25,14 +29,18 @@ namespace
 
 constexpr std::size_t LightsAtOnce = 4; ///< as many as a pixel has numbers
 
-using Receivers = std::vector<GeometryReceiver>;
+// The range of the steps of light on geometry, in voxels.
+constexpr double CoarsestVoxels = 4.0;
+constexpr double FinestVoxels = 1.0 / 64.0;
 
-// The places of all pixels [grid space], with 1 as fourth number, or 0 where no receiver is.
-std::vector<glm::vec4> PlacesOf(
-  const Receivers& receivers, const glm::dmat4& gridFromWorld, const Viewport& pixels)
+// The places of all squares of pixels [grid space], with 1 as fourth number, or 0 where no receiver
+// is.
+std::vector<glm::vec4> PlacesOf(const Frame& frame, const ReceivedLight& received)
 {
+  const glm::dmat4 gridFromWorld = glm::inverse(frame.geometry.worldFromGrid);
+  const Viewport pixels = received.grid.Pixels();
   std::vector<glm::vec4> places(std::size_t(pixels.width) * std::size_t(pixels.height));
-  for (const GeometryReceiver& receiver : receivers)
+  for (const GeometryReceiver& receiver : received.receivers)
   {
     places[receiver.pixel] = gridFromWorld * glm::dvec4(receiver.placeWorld, 1.0);
   }
@@ -52,9 +60,24 @@ std::vector<double> InputsOf(const Frame& frame, const MarchPlan& plan)
     inputs.insert(inputs.end(), eye, eye + 3);
     inputs.insert(inputs.end(),
       { plan.sampleDistanceMm, double(plan.marcher), double(plan.isInteractive),
-        double(frame.casters.shadowing) });
+        double(frame.casters.shadowing), double(frame.casters.lieBehindTranslucent) });
   }
   return inputs;
+}
+
+// While somebody interacts, a square of pixels has as many rays of the volume as places.
+ReceiverGrid GridOf(const MarchPlan& plan)
+{
+  const double side = plan.isInteractive ? plan.imageSampleDistance : 1.0;
+  return { plan.viewport, std::max(int(std::lround(side)), 1) };
+}
+
+// At most about a thousand squares.
+ReceiverGrid TrialGridOf(const ReceiverGrid& grid)
+{
+  constexpr double Places = 1024.0;
+  const double pixels = double(grid.viewport.width) * grid.viewport.height;
+  return { grid.viewport, std::max(grid.side, int(std::ceil(std::sqrt(pixels / Places)))) };
 }
 
 // The pixels of a plan's viewport, counted from its corner.
@@ -80,10 +103,11 @@ void Multiply(
     });
 }
 
-// The factors of all pixels, 1 where no receiver is.
-std::vector<glm::vec4> FactorsOf(
-  const Frame& frame, std::size_t pixelCount, const ReceivedLight& received)
+// The factors of all squares of pixels, 1 where no receiver is.
+std::vector<glm::vec4> FactorsOfSquares(const Frame& frame, const ReceivedLight& received)
 {
+  const Viewport squares = received.grid.Pixels();
+  const std::size_t pixelCount = std::size_t(squares.width) * std::size_t(squares.height);
   const GeometryLight light(frame);
   std::vector<glm::vec4> factors(pixelCount, glm::vec4(1.0f));
   tbb::parallel_for(std::size_t(0), received.receivers.size(),
@@ -97,14 +121,18 @@ std::vector<glm::vec4> FactorsOf(
   return factors;
 }
 
-// A box in the grid whose inner faces cover all receivers on the screen.
-Box CoverOf(const Box& boxGrid, const glm::dmat4& gridFromWorld, const Receivers& receivers)
+// A box in the grid whose inner faces cover all receivers on the screen, with their squares.
+Box CoverOf(const Frame& frame, const ReceivedLight& received)
 {
-  Box box = boxGrid;
-  for (const GeometryReceiver& receiver : receivers)
+  const glm::dmat4 gridFromWorld = glm::inverse(frame.geometry.worldFromGrid);
+  const glm::dvec3 gridPerMm = glm::abs(glm::dvec3(gridFromWorld[0])) +
+    glm::abs(glm::dvec3(gridFromWorld[1])) + glm::abs(glm::dvec3(gridFromWorld[2]));
+  Box box = frame.geometry.boxGrid;
+  for (const GeometryReceiver& receiver : received.receivers)
   {
     const glm::dvec3 place(gridFromWorld * glm::dvec4(receiver.placeWorld, 1.0));
-    box = { glm::min(box.lower, place), glm::max(box.upper, place) };
+    const glm::dvec3 around = double(received.grid.side - 1) * receiver.pixelMm * gridPerMm;
+    box = { glm::min(box.lower, place - around), glm::max(box.upper, place + around) };
   }
   return WithItsEdges(box);
 }
@@ -117,13 +145,14 @@ bool GeometryDimming::MayDim(const Frame& frame, const MarchPlan& plan) const
   const bool sees = plan.marcher == Marcher::Processor ||
     (!this->resources.IsInBlocks() && frame.others.empty() && frame.userCode.IsEmpty());
   return sees && frame.settings.casters && frame.casters.shadowing != Shadowing::Nothing &&
-    frame.settings.sceneGeometry && !plan.isInteractive && !this->resources.IsNothingDrawn();
+    frame.settings.sceneGeometry && !this->resources.IsNothingDrawn();
 }
 
 std::vector<std::vector<float>> GeometryDimming::LightByPackets(
-  const Frame& frame, const MarchPlan& plan, const std::vector<glm::vec4>& places)
+  const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
 {
-  const Viewport pixels = PixelsOf(plan);
+  const Viewport pixels = received.grid.Pixels();
+  const std::vector<glm::vec4> places = PlacesOf(frame, received);
   PacketSurroundings around = {};
   around.drawnBox = this->resources.DrawnBox();
   around.depthPixels = this->resources.Depth().SizePixels();
@@ -142,16 +171,16 @@ std::vector<std::vector<float>> GeometryDimming::LightByPackets(
   return parts;
 }
 
-std::vector<std::vector<float>> GeometryDimming::LightByShader(const Frame& frame,
-  const MarchPlan& plan, const std::vector<glm::vec4>& places, const Box& coverGrid)
+std::vector<std::vector<float>> GeometryDimming::LightByShader(
+  const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
 {
   vtkOpenGLRenderWindow* const window = frame.view.window;
-  const Viewport pixels = PixelsOf(plan);
-  this->image.Take(window, places, pixels);
+  const Viewport pixels = received.grid.Pixels();
+  this->image.Take(window, PlacesOf(frame, received), pixels);
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
   drawn.block = &this->resources.First().Blocks().Take(window, 0);
   drawn.voxels = { glm::ivec3(0), frame.geometry.dimensions };
-  drawn.coverGrid = coverGrid;
+  drawn.coverGrid = CoverOf(frame, received);
   EarlierDrawings earlier;
   earlier.marched = this->image.Texture();
   earlier.marchedPixels = pixels;
@@ -184,7 +213,8 @@ void GeometryDimming::TakeLight(const Frame& frame, const MarchPlan& plan, Recei
   }
   if (received.receivers.empty())
   {
-    received.receivers = GeometryReceiversOf(frame, this->resources, plan.viewport);
+    received.grid = GridOf(plan);
+    received.receivers = GeometryReceiversOf(frame, this->resources, received.grid);
     std::array<float, MostShadowedLights> all;
     all.fill(1.0f);
     received.parts.assign(received.receivers.size(), all);
@@ -193,14 +223,44 @@ void GeometryDimming::TakeLight(const Frame& frame, const MarchPlan& plan, Recei
   {
     return;
   }
-  const glm::dmat4 gridFromWorld = glm::inverse(frame.geometry.worldFromGrid);
-  const std::vector<glm::vec4> places = PlacesOf(received.receivers, gridFromWorld, PixelsOf(plan));
-  const Box box = CoverOf(frame.geometry.boxGrid, gridFromWorld, received.receivers);
   ++this->tracings;
-  Multiply(received,
-    plan.marcher == Marcher::Processor ? this->LightByPackets(frame, plan, places)
-                                       : this->LightByShader(frame, plan, places, box),
+  Multiply(received, this->LightOn(frame, this->WithSteps(frame, plan), received),
     frame.material.surfacesInShadow);
+}
+
+// The rays of the eye may need other steps: they may see nothing of the volume.
+MarchPlan GeometryDimming::WithSteps(const Frame& frame, const MarchPlan& plan)
+{
+  MarchPlan stepped = plan;
+  if (!(plan.budget.StepTolerance() > 0.0))
+  {
+    return stepped;
+  }
+  ReceivedLight trial;
+  trial.grid = TrialGridOf(GridOf(plan));
+  trial.receivers = GeometryReceiversOf(frame, this->resources, trial.grid);
+  const auto drawAt = [&](double sampleDistanceMm)
+  {
+    stepped.sampleDistanceMm = sampleDistanceMm;
+    std::vector<float> all;
+    for (const std::vector<float>& parts : this->LightOn(frame, stepped, trial))
+    {
+      all.insert(all.end(), parts.begin(), parts.end());
+    }
+    return all;
+  };
+  const double voxelMm = SmallestSpacingMm(frame);
+  const FoundSteps found = FindSampleDistance(
+    drawAt, plan.budget.StepLimit(), { CoarsestVoxels * voxelMm, FinestVoxels * voxelMm }, voxelMm);
+  stepped.sampleDistanceMm = found.choice.sampleDistance;
+  return stepped;
+}
+
+std::vector<std::vector<float>> GeometryDimming::LightOn(
+  const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
+{
+  return plan.marcher == Marcher::Processor ? this->LightByPackets(frame, plan, received)
+                                            : this->LightByShader(frame, plan, received);
 }
 
 void GeometryDimming::Draw(const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
@@ -218,11 +278,17 @@ void GeometryDimming::TakeFactors(
     this->Release(frame.view.window);
     return;
   }
-  const Viewport pixels = PixelsOf(plan);
-  const std::size_t pixelCount = std::size_t(pixels.width) * std::size_t(pixels.height);
-  this->image.Take(frame.view.window, FactorsOf(frame, pixelCount, received), pixels);
-  this->cover =
-    CoverOf(frame.geometry.boxGrid, glm::inverse(frame.geometry.worldFromGrid), received.receivers);
+  std::vector<glm::vec4> taken = FactorsOfSquares(frame, received);
+  if (received.grid.side > 1)
+  {
+    this->resources.Depth().Read(frame.view.window);
+    const glm::dvec3 origin = frame.casters.originWorld;
+    const PixelPlaces places(frame.view.renderer, this->resources.Depth(), plan.viewport, origin);
+    taken = FactorsBetween(received.grid, received.receivers, taken, places, origin);
+  }
+  this->image.Take(frame.view.window, taken, PixelsOf(plan));
+  this->cover = CoverOf(frame, received);
+  this->factors = frame.casters.lieBehindTranslucent ? std::move(taken) : std::vector<glm::vec4>();
 }
 
 void GeometryDimming::DrawFactors(const Frame& frame, const MarchPlan& plan)
@@ -231,18 +297,51 @@ void GeometryDimming::DrawFactors(const Frame& frame, const MarchPlan& plan)
   {
     return;
   }
+  const MarchPlan dimming = plan.WithRole(ShaderRole::DimGeometry);
+  this->DrawImage(frame, dimming, this->image);
+  if (frame.casters.lieBehindTranslucent)
+  {
+    this->AddTranslucent(frame, dimming);
+  }
+  else
+  {
+    this->added.Release(frame.view.window);
+    this->translucent.Release(frame.view.window);
+  }
+}
+
+void GeometryDimming::AddTranslucent(const Frame& frame, const MarchPlan& plan)
+{
+  std::vector<glm::vec4> lacking = this->translucent.Draw(frame.view, this->resources.Depth());
+  for (std::size_t i = 0; i < lacking.size(); ++i)
+  {
+    const glm::vec3 factor(this->factors[i]);
+    lacking[i] = glm::vec4((1.0f - factor) * glm::vec3(lacking[i]), 0.0f);
+  }
+  this->added.Take(frame.view.window, lacking, PixelsOf(plan));
+  MarchPlan adding = plan;
+  adding.addsUp = true;
+  this->DrawImage(frame, adding, this->added);
+}
+
+void GeometryDimming::DrawImage(
+  const Frame& frame, const MarchPlan& plan, PacketPicture& drawnImage)
+{
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
   drawn.coverGrid = this->cover;
   EarlierDrawings earlier;
-  earlier.marched = this->image.Texture();
+  earlier.marched = drawnImage.Texture();
   earlier.marchedPixels = PixelsOf(plan);
-  this->boxes.Draw(frame, plan.WithRole(ShaderRole::DimGeometry), drawn, earlier);
+  this->boxes.Draw(frame, plan, drawn, earlier);
 }
 
 void GeometryDimming::Release(vtkWindow* window)
 {
   this->image.Release(window);
+  this->added.Release(window);
+  this->translucent.Release(window);
   this->light.Release(window);
+  this->factors.clear();
   this->keptFor.clear();
 }
 

@@ -5,6 +5,7 @@
 #include "March/Device/BoxDrawing.h"
 #include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketPicture.h"
+#include "March/Processor/TranslucentColors.h"
 #include "Resources/FloatFramebuffer.h"
 
 #include <glm/vec4.hpp>
@@ -19,6 +20,7 @@ namespace varimarch
 /// The opaque geometry that pixels show, and what volumes leave of the lamps' light on it.
 struct ReceivedLight
 {
+  ReceiverGrid grid;
   std::vector<GeometryReceiver> receivers;
   /// For each receiver the parts of the lamps that may cast shadows, [0, 1].
   std::vector<std::array<float, MostShadowedLights>> parts;
@@ -27,8 +29,8 @@ struct ReceivedLight
 /// Lets opaque geometry receive the shadows of volumes: before a volume is drawn, the colours of
 /// the geometry in the framebuffer are multiplied by what volumes leave of their light. The
 /// processor finds the places that are seen. Whoever marches a volume traces the lights from
-/// there: packets of rays or a shader. Nothing is dimmed while somebody interacts, since there may
-/// be as many pixels of geometry as of the volume.
+/// there: packets of rays or a shader. While somebody interacts, there are as many places as the
+/// volume has rays. Translucent geometry, which VTK has blended over the colours, keeps its light.
 class GeometryDimming
 {
 public:
@@ -52,25 +54,39 @@ public:
   /// How often the light on geometry was traced. Images of one volume that are accumulated
   /// share it.
   int Tracings() const { return this->tracings; }
-  std::size_t Bytes() const { return this->image.Bytes() + this->light.Bytes(); }
+  std::size_t Bytes() const
+  {
+    return this->image.Bytes() + this->light.Bytes() + this->added.Bytes() +
+      this->translucent.Bytes();
+  }
   void Release(vtkWindow* window);
 
 private:
   bool MayDim(const Frame& frame, const MarchPlan& plan) const;
+  /// The plan with steps that keep the error tolerance of the light on receivers.
+  MarchPlan WithSteps(const Frame& frame, const MarchPlan& plan);
+  /// The parts of the lamps that a volume leaves: for each four of them the numbers of all squares.
+  std::vector<std::vector<float>> LightOn(
+    const Frame& frame, const MarchPlan& plan, const ReceivedLight& received);
   std::vector<std::vector<float>> LightByPackets(
-    const Frame& frame, const MarchPlan& plan, const std::vector<glm::vec4>& places);
-  std::vector<std::vector<float>> LightByShader(const Frame& frame, const MarchPlan& plan,
-    const std::vector<glm::vec4>& places, const Box& coverGrid);
+    const Frame& frame, const MarchPlan& plan, const ReceivedLight& received);
+  std::vector<std::vector<float>> LightByShader(
+    const Frame& frame, const MarchPlan& plan, const ReceivedLight& received);
 
   void TakeFactors(const Frame& frame, const MarchPlan& plan, const ReceivedLight& light);
   void DrawFactors(const Frame& frame, const MarchPlan& plan);
+  void AddTranslucent(const Frame& frame, const MarchPlan& plan);
+  void DrawImage(const Frame& frame, const MarchPlan& plan, PacketPicture& drawn);
 
   SceneResources& resources;
   BoxDrawing& boxes;
-  PacketPicture image;         ///< First places, then factors.
-  FloatFramebuffer light{ 2 }; ///< The light on places, by a shader.
-  Box cover = {};              ///< A box in the grid that covers all pixels with factors.
-  std::vector<double> keptFor; ///< All that the factors depend on; empty if they are not kept.
+  PacketPicture image;            ///< First places, then factors.
+  PacketPicture added;            ///< The light of translucent geometry that was dimmed, too.
+  TranslucentColors translucent;  ///< The light of translucent geometry.
+  FloatFramebuffer light{ 2 };    ///< The light on places, by a shader.
+  Box cover = {};                 ///< A box in the grid that covers all pixels with factors.
+  std::vector<glm::vec4> factors; ///< The factors in the image, if there is translucent geometry.
+  std::vector<double> keptFor;    ///< All that the factors depend on; empty if they are not kept.
   int tracings = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "March/Processor/GeometryReceivers.h"
 
 #include "Core/Geometry/TriangleTree.h"
+#include "March/Processor/PixelPlaces.h"
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
@@ -10,9 +11,9 @@
 #include "vtkRenderer.h"
 
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 
 #include <tbb/parallel_for.h>
 
@@ -68,25 +69,22 @@ public:
   PixelSearch(const Frame& frame, SceneResources& resources, const Viewport& viewport)
     : frame(frame)
     , casters(resources.Casters())
-    , depths(resources.Depth().Texture().Texels<float>())
-    , depthPixels(resources.Depth().SizePixels())
-    , viewport(viewport)
-    , placeFromClip(
-        glm::inverse(glm::translate(ClipFromWorld(frame.view.renderer), frame.casters.originWorld)))
+    , places(frame.view.renderer, resources.Depth(), viewport, frame.casters.originWorld)
     , eyeWorld(glm::make_vec3(frame.view.renderer->GetActiveCamera()->GetPosition()))
   {
   }
 
-  std::optional<GeometryReceiver> At(int x, int y) const
+  std::optional<GeometryReceiver> At(const glm::ivec2& pixel, std::size_t number) const
   {
-    const double depth = this->DepthAt(x, y);
+    const double depth = this->places.DepthAt(pixel);
     if (!(depth < 1.0))
     {
       return std::nullopt;
     }
-    const glm::dvec3 place = this->PlaceAt(x, y, depth);
-    const glm::dvec3 away = glm::normalize(this->PlaceAt(x, y, 1.0) - this->PlaceAt(x, y, 0.0));
-    const double reach = this->UncertaintyMm(x, y, depth);
+    const glm::dvec3 place = this->places.PlaceAt(glm::dvec2(pixel), depth);
+    const glm::dvec3 away = glm::normalize(
+      this->places.PlaceAt(glm::dvec2(pixel), 1.0) - this->places.PlaceAt(glm::dvec2(pixel), 0.0));
+    const double reach = this->places.UncertaintyMm(pixel, depth);
     const glm::dvec3 start = place - reach * away;
     const std::optional<TriangleHit> hit = NearestTriangle(this->casters.Tree().Texels<glm::vec4>(),
       glm::vec3(start), glm::vec3(away), float(2.0 * reach));
@@ -97,63 +95,35 @@ public:
     const SurfaceTriangle& triangle = this->casters.Sources()[hit->triangle];
     const glm::dvec3 placeWorld = start + double(hit->t) * away + this->frame.casters.originWorld;
     const CastingSurface& surface = this->frame.casters.surfaces[triangle.surface];
-    return GeometryReceiver{ std::size_t(y) * std::size_t(this->viewport.width) + std::size_t(x),
-      triangle.surface, placeWorld, NormalAt(surface, triangle, placeWorld, -away),
-      glm::normalize(this->eyeWorld - placeWorld) };
+    return GeometryReceiver{ number, triangle.surface, placeWorld,
+      NormalAt(surface, triangle, placeWorld, -away), glm::normalize(this->eyeWorld - placeWorld),
+      this->places.PixelMm(pixel, depth) };
   }
 
 private:
-  double DepthAt(int x, int y) const
-  {
-    const auto texelOf = [](int pixel, int pixels, int texels)
-    { return std::min(int((pixel + 0.5) * texels / pixels), texels - 1); };
-    const int column = texelOf(x, this->viewport.width, this->depthPixels.x);
-    const int row = texelOf(y, this->viewport.height, this->depthPixels.y);
-    return this->depths[std::size_t(row) * std::size_t(this->depthPixels.x) + std::size_t(column)];
-  }
-
-  glm::dvec3 PlaceAt(double x, double y, double depth) const
-  {
-    const glm::dvec4 clip(2.0 * (x + 0.5) / this->viewport.width - 1.0,
-      2.0 * (y + 0.5) / this->viewport.height - 1.0, 2.0 * depth - 1.0, 1.0);
-    const glm::dvec4 place = this->placeFromClip * clip;
-    return glm::dvec3(place) / place.w;
-  }
-
-  // How far a depth may be from the surface along the ray: by the bits of the depth buffer, and by
-  // the slope of the surface within a pixel, whose depth may be that of a place off its centre.
-  double UncertaintyMm(int x, int y, double depth) const
-  {
-    constexpr double DepthStep = 1.0 / (1 << 22);
-    constexpr double MostSlope = 16.0;
-    const glm::dvec3 place = this->PlaceAt(x, y, depth);
-    return glm::distance(this->PlaceAt(x, y, depth - DepthStep), place) +
-      MostSlope * glm::distance(this->PlaceAt(x + 1.0, y, depth), place);
-  }
-
   const Frame& frame;
   const CasterResources& casters;
-  const float* depths;
-  glm::ivec2 depthPixels;
-  Viewport viewport;
-  glm::dmat4 placeFromClip;
+  PixelPlaces places;
   glm::dvec3 eyeWorld;
 };
 
 }
 
 std::vector<GeometryReceiver> GeometryReceiversOf(
-  const Frame& frame, SceneResources& resources, const Viewport& viewport)
+  const Frame& frame, SceneResources& resources, const ReceiverGrid& grid)
 {
   resources.Depth().Read(frame.view.window);
-  const PixelSearch search(frame, resources, viewport);
-  std::vector<std::vector<GeometryReceiver>> rows(std::size_t(viewport.height));
-  tbb::parallel_for(0, viewport.height,
+  const PixelSearch search(frame, resources, grid.viewport);
+  const Viewport pixels = grid.Pixels();
+  std::vector<std::vector<GeometryReceiver>> rows(std::size_t(pixels.height));
+  tbb::parallel_for(0, pixels.height,
     [&](int y)
     {
-      for (int x = 0; x < viewport.width; ++x)
+      for (int x = 0; x < pixels.width; ++x)
       {
-        if (const std::optional<GeometryReceiver> receiver = search.At(x, y))
+        const std::size_t number = std::size_t(y) * std::size_t(pixels.width) + std::size_t(x);
+        if (const std::optional<GeometryReceiver> receiver =
+              search.At(grid.PixelOf({ x, y }), number))
         {
           rows[std::size_t(y)].push_back(*receiver);
         }
