@@ -72,12 +72,12 @@ ReceiverGrid GridOf(const MarchPlan& plan)
   return { plan.viewport, std::max(int(std::lround(side)), 1) };
 }
 
-// At most about a thousand squares.
-ReceiverGrid TrialGridOf(const ReceiverGrid& grid)
+// A grid of larger squares, about a thousand of which show receivers.
+ReceiverGrid TrialGridOf(const ReceivedLight& received)
 {
   constexpr double Places = 1024.0;
-  const double pixels = double(grid.viewport.width) * grid.viewport.height;
-  return { grid.viewport, std::max(grid.side, int(std::ceil(std::sqrt(pixels / Places)))) };
+  const double times = std::ceil(std::sqrt(double(received.receivers.size()) / Places));
+  return { received.grid.viewport, received.grid.side * std::max(int(times), 1) };
 }
 
 // The pixels of a plan's viewport, counted from its corner.
@@ -224,12 +224,13 @@ void GeometryDimming::TakeLight(const Frame& frame, const MarchPlan& plan, Recei
     return;
   }
   ++this->tracings;
-  Multiply(received, this->LightOn(frame, this->WithSteps(frame, plan), received),
+  Multiply(received, this->LightOn(frame, this->WithSteps(frame, plan, received), received),
     frame.material.surfacesInShadow);
 }
 
 // The rays of the eye may need other steps: they may see nothing of the volume.
-MarchPlan GeometryDimming::WithSteps(const Frame& frame, const MarchPlan& plan)
+MarchPlan GeometryDimming::WithSteps(
+  const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
 {
   MarchPlan stepped = plan;
   if (!(plan.budget.StepTolerance() > 0.0))
@@ -237,7 +238,7 @@ MarchPlan GeometryDimming::WithSteps(const Frame& frame, const MarchPlan& plan)
     return stepped;
   }
   ReceivedLight trial;
-  trial.grid = TrialGridOf(GridOf(plan));
+  trial.grid = TrialGridOf(received);
   trial.receivers = GeometryReceiversOf(frame, this->resources, trial.grid);
   const auto drawAt = [&](double sampleDistanceMm)
   {

@@ -64,7 +64,7 @@ public:
 private:
   bool MayDim(const Frame& frame, const MarchPlan& plan) const;
   /// The plan with steps that keep the error tolerance of the light on receivers.
-  MarchPlan WithSteps(const Frame& frame, const MarchPlan& plan);
+  MarchPlan WithSteps(const Frame& frame, const MarchPlan& plan, const ReceivedLight& received);
   /// The parts of the lamps that a volume leaves: for each four of them the numbers of all squares.
   std::vector<std::vector<float>> LightOn(
     const Frame& frame, const MarchPlan& plan, const ReceivedLight& received);
