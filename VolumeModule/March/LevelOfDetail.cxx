@@ -44,12 +44,24 @@ bool CanBeRefined(const LevelInputs& inputs)
 
 // True while a scene whose voxels are drawn in parts is still shown by its coarse level: parts of
 // voxels may take long to be read, or steps to be found for them.
-bool Begins(DrawnView& view, const std::vector<double>& fingerprint, bool lastIsWhole)
+bool Begins(const DrawnView& view, const std::vector<double>& fingerprint, bool lastIsWhole)
 {
-  const bool isNew = view.begun != fingerprint;
-  view.beginsStill = isNew || (view.beginsStill && !lastIsWhole);
-  view.begun = fingerprint;
-  return view.beginsStill;
+  return view.begun != fingerprint || (view.beginsStill && !lastIsWhole);
+}
+
+// True if images of a frame are drawn in parts, of which the first ones show the coarse level.
+bool IsInParts(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+{
+  return mapper->GetLongestPartSeconds() > 0.0 && !frame.accumulation.fingerprint.empty() &&
+    frame.pass.kind == RayPass::Whole;
+}
+
+// True if an image is of the coarse level for what the mapper wants of it alone.
+bool WantsCoarseLevel(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame)
+{
+  const int wanted = mapper->GetLevelOfDetail();
+  return wanted == vtkVariationFieldVolumeMapper::CoarseLevel ||
+    (wanted != vtkVariationFieldVolumeMapper::VoxelLevel && IsInteractive(mapper, volume, frame));
 }
 
 // The summary of voxels that are drawn alone, with a coarse level; null for others.
@@ -149,7 +161,7 @@ int LevelOfDetail::LevelNow(
   {
     view.refinement.reset();
   }
-  if (wanted != vtkVariationFieldVolumeMapper::VoxelLevel && IsInteractive(mapper, volume, frame))
+  if (WantsCoarseLevel(mapper, volume, frame))
   {
     return vtkVariationFieldVolumeMapper::CoarseLevel;
   }
@@ -157,12 +169,34 @@ int LevelOfDetail::LevelNow(
   {
     return wanted;
   }
-  const bool isInParts = mapper->GetLongestPartSeconds() > 0.0 &&
-    !frame.accumulation.fingerprint.empty() && frame.pass.kind == RayPass::Whole;
-  const bool begins = isInParts && Begins(view, ImageFingerprint(mapper, frame), lastIsWhole);
-  view.isComplete = !begins;
-  return begins ? vtkVariationFieldVolumeMapper::CoarseLevel
-                : vtkVariationFieldVolumeMapper::VoxelLevel;
+  if (!IsInParts(mapper, frame))
+  {
+    return vtkVariationFieldVolumeMapper::VoxelLevel;
+  }
+  std::vector<double> fingerprint = ImageFingerprint(mapper, frame);
+  view.beginsStill = Begins(view, fingerprint, lastIsWhole);
+  view.begun = std::move(fingerprint);
+  view.isComplete = !view.beginsStill;
+  return view.beginsStill ? vtkVariationFieldVolumeMapper::CoarseLevel
+                          : vtkVariationFieldVolumeMapper::VoxelLevel;
+}
+
+std::optional<Frame> LevelOfDetail::CoarseFrameAhead(
+  vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole)
+{
+  auto* const voxels = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  const auto known = SummaryWithLevel(frame, voxels);
+  const auto view = this->FindView(frame);
+  const bool isAutomatic =
+    mapper->GetLevelOfDetail() == vtkVariationFieldVolumeMapper::AutomaticLevel;
+  const bool begins = isAutomatic && IsInParts(mapper, frame) &&
+    (view == this->views.end() || Begins(*view, ImageFingerprint(mapper, frame), lastIsWhole));
+  if (!known || !(begins || WantsCoarseLevel(mapper, volume, frame)))
+  {
+    return std::nullopt;
+  }
+  this->UpdateImages(known, frame.voxels.scalars, voxels);
+  return this->CoarseFrame(mapper, volume, frame);
 }
 
 std::optional<Frame> LevelOfDetail::FrameInstead(
@@ -234,20 +268,25 @@ void LevelOfDetail::ForgetScene(DrawnView& view)
 }
 
 // Several renderers, and the eyes of a stereo image, are drawn in turn.
+std::list<DrawnView>::iterator LevelOfDetail::FindView(const Frame& frame)
+{
+  vtkRenderer* const renderer = frame.view.renderer;
+  const bool isLeftEye = renderer->GetActiveCamera()->GetLeftEye() != 0;
+  return std::find_if(this->views.begin(), this->views.end(),
+    [&](const DrawnView& view)
+    { return view.renderer == renderer && view.isLeftEye == isLeftEye; });
+}
+
 DrawnView& LevelOfDetail::ViewOf(const Frame& frame)
 {
   constexpr std::size_t MostViews = 64; // one more than are drawn in turn would never be refined
-  vtkRenderer* const renderer = frame.view.renderer;
-  const bool isLeftEye = renderer->GetActiveCamera()->GetLeftEye() != 0;
   this->views.remove_if([](const DrawnView& view) { return !view.renderer; });
-  const auto found = std::find_if(this->views.begin(), this->views.end(),
-    [&](const DrawnView& view)
-    { return view.renderer == renderer && view.isLeftEye == isLeftEye; });
+  const auto found = this->FindView(frame);
   if (found == this->views.end())
   {
     this->views.emplace_front();
-    this->views.front().renderer = renderer;
-    this->views.front().isLeftEye = isLeftEye;
+    this->views.front().renderer = frame.view.renderer;
+    this->views.front().isLeftEye = frame.view.renderer->GetActiveCamera()->GetLeftEye() != 0;
     if (this->views.size() > MostViews)
     {
       this->views.pop_back();

@@ -63,6 +63,12 @@ public:
   std::optional<Frame> FrameInstead(
     vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole);
 
+  /// The frame of the coarse level, to be drawn by Marcher(), if the next image of a frame of
+  /// voxels takes that level alone; none for other images. It changes nothing about the next image.
+  /// @throws std::runtime_error as BuildFrame does
+  std::optional<Frame> CoarseFrameAhead(
+    vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole);
+
   RayMarcher& Marcher() { return this->marcher; }
 
   /// The largest error that the level of the last frame can have anywhere in the image, see
@@ -87,6 +93,7 @@ private:
     vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame);
   int LevelNow(
     vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume, const Frame& frame, bool lastIsWhole);
+  std::list<DrawnView>::iterator FindView(const Frame& frame);
   /// The view of a frame, which becomes the first of all.
   DrawnView& ViewOf(const Frame& frame);
   /// The next image of the view is the first one of its scene.

@@ -27,6 +27,17 @@ struct vtkVariationFieldVolumeMapper::Internals
   static void DrawInOrder(
     vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
+  /// A volume whose shadows fall on geometry.
+  struct Casting
+  {
+    vtkVariationFieldVolumeMapper* mapper;
+    varimarch::Frame frame;
+    std::optional<varimarch::PictureQuality> quality; ///< That of the image; none for a still one.
+    varimarch::RayMarcher* marcher; ///< The one of the level that the image is drawn by.
+  };
+  std::optional<Casting> CastingOf(
+    vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
   // Dims the opaque geometry of a renderer by what all its volumes leave of the light, before any
   // of them is drawn.
   static void CastOnGeometry(

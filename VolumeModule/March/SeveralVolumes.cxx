@@ -22,14 +22,6 @@
 namespace
 {
 
-/// A volume whose shadows fall on geometry.
-struct Casting
-{
-  vtkVariationFieldVolumeMapper* mapper;
-  varimarch::Frame frame;
-  std::optional<varimarch::PictureQuality> quality;
-};
-
 bool Casts(const varimarch::Frame& frame)
 {
   return frame.settings.casters && frame.casters.shadowing != varimarch::Shadowing::Nothing &&
@@ -57,6 +49,23 @@ bool AreDrawnToImages(const std::vector<vtkVolume*>& volumes)
 
 }
 
+std::optional<vtkVariationFieldVolumeMapper::Internals::Casting>
+vtkVariationFieldVolumeMapper::Internals::CastingOf(
+  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  mapper->LockSampleDistance();
+  std::optional<varimarch::Frame> frame = varimarch::BuildFrame(mapper, renderer, volume);
+  if (!frame || !Casts(*frame))
+  {
+    return std::nullopt;
+  }
+  std::optional<varimarch::Frame> coarse =
+    this->Levels.CoarseFrameAhead(mapper, volume, *frame, this->Last->AccumulatedImages() > 0);
+  const auto quality = this->QualityOf(mapper, volume, *frame);
+  return Casting{ mapper, coarse ? std::move(*coarse) : std::move(*frame), quality,
+    coarse ? &this->Levels.Marcher() : &this->Marcher };
+}
+
 // Faults are those of the drawing that follows, which reports them.
 void vtkVariationFieldVolumeMapper::Internals::CastOnGeometry(
   vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, bool isBetweenLayers)
@@ -67,13 +76,10 @@ void vtkVariationFieldVolumeMapper::Internals::CastOnGeometry(
     for (vtkVolume* volume : volumes)
     {
       vtkVariationFieldVolumeMapper* const mapper = varimarch::DrawingMapper(volume);
-      mapper->LockSampleDistance();
-      std::optional<varimarch::Frame> frame = varimarch::BuildFrame(mapper, renderer, volume);
-      if (frame && Casts(*frame))
+      if (std::optional<Casting> casting = mapper->Private->CastingOf(mapper, renderer, volume))
       {
-        const auto quality = mapper->Private->QualityOf(mapper, volume, *frame);
-        all.push_back({ mapper,
-          isBetweenLayers ? WithoutLayers(std::move(*frame)) : std::move(*frame), quality });
+        casting->frame = isBetweenLayers ? WithoutLayers(casting->frame) : casting->frame;
+        all.push_back(std::move(*casting));
       }
     }
     varimarch::ReceivedLight light;
@@ -83,10 +89,10 @@ void vtkVariationFieldVolumeMapper::Internals::CastOnGeometry(
       one.frame.view.window->MakeCurrent();
       vtkNew<vtkTimerLog> timer;
       timer->StartTimer();
-      one.mapper->Private->Marcher.CastOnGeometry(one.frame, one.quality, light);
+      one.marcher->CastOnGeometry(one.frame, one.quality, light);
       if (&one == &all.back())
       {
-        one.mapper->Private->Marcher.DimGeometry(one.frame, one.quality, light);
+        one.marcher->DimGeometry(one.frame, one.quality, light);
       }
       timer->StopTimer();
       one.mapper->Private->CastSeconds = timer->GetElapsedTime();
