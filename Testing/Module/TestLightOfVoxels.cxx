@@ -5,10 +5,12 @@
 #include "Module/ReferenceMaterials.h"
 #include "Module/SlabScene.h"
 #include "Module/UsualSettings.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 using namespace varimarch;
@@ -215,4 +217,28 @@ TEST(LightOfBoxes, ThatAreOpaqueAndDullIsNoMoreThanThatOfAFace)
   const double drawn = RedOfSlab(1.0, Red, VTK_NEAREST_INTERPOLATION);
   EXPECT_GT(drawn, 0.0); // false for NaN
   EXPECT_LT(drawn, Red * CosineToLight + 1e-6);
+}
+
+// Only packets divide samples that end all light.
+TEST(LightOfBoxes, TellWhereShadersDrawDenseMatterTooDark)
+{
+  const auto messagesOf = [](double opacity, int interpolation, bool byPackets)
+  {
+    SlabScene slab(opacity, 0.8);
+    slab.LightDiffusely();
+    AddLight(slab.renderer, { 80.0, 0.0, 60.0 }, glm::dvec3(0.0));
+    slab.volume->GetProperty()->SetInterpolationType(interpolation);
+    slab.mapper->SetErrorTolerance(UsualTolerance);
+    const ExpectedVtkErrors messages;
+    byPackets ? slab.DrawByProcessor() : slab.Draw();
+    return messages.Text();
+  };
+  const auto tell = [](const std::string& messages)
+  { return messages.find("too dark in its own shadow") != std::string::npos; };
+  constexpr double Opaque = 1.0 - 1e-15;
+  EXPECT_TRUE(tell(messagesOf(Opaque, VTK_LINEAR_INTERPOLATION, false)));
+  EXPECT_FALSE(tell(messagesOf(0.9, VTK_LINEAR_INTERPOLATION, false)));
+  EXPECT_TRUE(tell(messagesOf(0.9, VTK_NEAREST_INTERPOLATION, false)));
+  EXPECT_FALSE(tell(messagesOf(0.5, VTK_NEAREST_INTERPOLATION, false)));
+  EXPECT_EQ(messagesOf(Opaque, VTK_LINEAR_INTERPOLATION, true), "");
 }

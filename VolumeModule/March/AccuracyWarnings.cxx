@@ -33,7 +33,8 @@ std::string ExceededTolerance(double tolerance, const StepChoice& step)
 constexpr const char* ReasonForShaders =
   "packets of rays on the processor are off (ProcessorMarching) or cannot draw this scene. ";
 
-std::string LightWarnings(const RayMarcher& marcher)
+// The light that an image lacks.
+std::string WarningsOfMissingLight(const RayMarcher& marcher)
 {
   std::string warnings;
   if (marcher.LeavesOutShadows())
@@ -56,13 +57,27 @@ std::string LightWarnings(const RayMarcher& marcher)
       std::to_string(TriangleTree::MostTriangles) +
       " triangles. Simplify it, or let parts of it cast none (CASTS_SHADOWS). ";
   }
-  if (marcher.Tolerance() && marcher.HasLongShadowSteps())
+  return warnings;
+}
+
+// The light that no trial of an error tolerance judges.
+std::string WarningsOfUnknownLight(const RayMarcher& marcher)
+{
+  std::string warnings;
+  if (marcher.HasLongShadowSteps())
   {
     warnings += "The shadows may be wrong by any amount: without a graphics card OpenGL ends the "
                 "short segments of rays to lights that the sample distance asks for. Let the "
                 "processor march (ProcessorMarching), or switch the shadows off. ";
   }
-  if (marcher.Tolerance() && marcher.HasFewSkyPlaces())
+  if (marcher.DarkensDenseMatter())
+  {
+    warnings += "Matter that is dense within a voxel may be drawn too dark in its own shadow, "
+                "because ";
+    warnings += ReasonForShaders;
+    warnings += "Let it absorb less, or switch the shadows off. ";
+  }
+  if (marcher.HasFewSkyPlaces())
   {
     warnings += "The ambient occlusion behind translucent matter may be wrong by any amount: "
                 "without a graphics card OpenGL ends the rays to all sides before all of their "
@@ -97,7 +112,8 @@ std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMar
                 "reach so far that those between which the opacity changes look the same. Replace "
                 "far values, such as a fill value, or draw a mean of a range without them. ";
   }
-  warnings += LightWarnings(marcher);
+  warnings += WarningsOfMissingLight(marcher);
+  warnings += marcher.Tolerance() ? WarningsOfUnknownLight(marcher) : "";
   if (marcher.Tolerance() && !marcher.Tolerance()->step.KeepsLimit())
   {
     warnings += ExceededTolerance(mapper->GetErrorTolerance(), marcher.Tolerance()->step);

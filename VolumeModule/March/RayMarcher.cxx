@@ -1,6 +1,7 @@
 #include "March/RayMarcher.h"
 
 #include "Frame/FrameMeasures.h"
+#include "March/DenseShadows.h"
 #include "March/Device/FilterPrecision.h"
 #include "March/DrawingStopped.h"
 #include "March/Processor/PacketCapability.h"
@@ -95,6 +96,7 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->leavesOutCasters = frame.casters.areTooMany;
   this->hasLongShadowSteps = varimarch::HasLongShadowSteps(MarchOf(frame, plan));
   this->hasFewSkyPlaces = this->FindFewSkyPlaces(frame, plan);
+  this->darkensDenseMatter = this->FindDarkenedMatter(frame, plan);
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
 }
@@ -125,6 +127,19 @@ bool RayMarcher::FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan)
         MarchOfOther(frame, plan, i), this->resources.Other(i).Light().Sky());
   }
   return areFew;
+}
+
+bool RayMarcher::FindDarkenedMatter(const Frame& frame, const MarchPlan& plan) const
+{
+  bool darkens =
+    varimarch::DarkensDenseMatter(MarchOf(frame, plan), this->resources.First().Materials());
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    darkens = darkens ||
+      varimarch::DarkensDenseMatter(
+        MarchOfOther(frame, plan, i), this->resources.Other(i).Materials());
+  }
+  return darkens;
 }
 
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)

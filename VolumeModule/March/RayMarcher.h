@@ -99,11 +99,13 @@ public:
   bool HasLongShadowSteps() const { return this->hasLongShadowSteps; }
   /// See the function of this name.
   bool HasFewSkyPlaces() const { return this->hasFewSkyPlaces; }
+  /// True if the function of this name is true for any of the volumes.
+  bool DarkensDenseMatter() const { return this->darkensDenseMatter; }
   /// True if the image may be wrong by any amount, which no trial image shows.
   bool HasUnknownError() const
   {
     return this->MissesCurve() || this->MergesValues() || this->HasLongShadowSteps() ||
-      this->HasFewSkyPlaces();
+      this->HasFewSkyPlaces() || this->DarkensDenseMatter();
   }
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
@@ -114,6 +116,7 @@ private:
   void EnterWindow(vtkOpenGLRenderWindow* window);
   /// True for a frame if HasFewSkyPlaces is true for any of its volumes.
   bool FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan);
+  bool FindDarkenedMatter(const Frame& frame, const MarchPlan& plan) const;
   /// Chooses the marcher, and updates everything that it reads.
   void UpdateResources(const Frame& frame, MarchPlan& plan);
   void ChooseMarcher(const Frame& frame, MarchPlan& plan, bool shouldMarchByPackets);
@@ -146,6 +149,7 @@ private:
   bool leavesOutCasters = false;
   bool hasLongShadowSteps = false;
   bool hasFewSkyPlaces = false;
+  bool darkensDenseMatter = false;
 };
 
 }

@@ -52,15 +52,7 @@ double NodeStepVoxels(double error)
 bool IsSmooth(const MaterialResources& materials, double voxelMm)
 {
   constexpr double MostDepthOfVoxel = 4.0;
-  double most = 0.0;
-  for (const OpticalTable& table : materials.OpticalTables().Tables())
-  {
-    for (const glm::vec4& entry : table.entries)
-    {
-      most = std::max(most, double(entry.w));
-    }
-  }
-  return most * voxelMm <= MostDepthOfVoxel;
+  return materials.MostExtinction() * voxelMm <= MostDepthOfVoxel;
 }
 
 // The number of lattices whose light is multiplied, and whose errors add up.

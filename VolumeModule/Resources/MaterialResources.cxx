@@ -127,6 +127,19 @@ OpticalTable MaterialResources::BuildTwoValues(const VolumeMarch& march, const S
   return bound;
 }
 
+double MaterialResources::MostExtinction() const
+{
+  double most = 0.0;
+  for (const OpticalTable& table : this->opticalTable.Tables())
+  {
+    for (const glm::vec4& entry : table.entries)
+    {
+      most = std::max(most, double(entry.w));
+    }
+  }
+  return most;
+}
+
 bool MaterialResources::MissesCurve() const
 {
   const std::vector<OpticalTable>& tables = this->opticalTable.Tables();

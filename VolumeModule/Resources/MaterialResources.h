@@ -44,7 +44,8 @@ public:
   /// The textures of the look, and no others.
   VolumeTextures Textures() const;
   double LastGradient(std::size_t part) const { return this->gradientOpacity.LastGradient(part); }
-  bool MissesCurve() const; ///< True if a table misses a curve of its function.
+  double MostExtinction() const; ///< The largest extinction of all functions [1/mm].
+  bool MissesCurve() const;      ///< True if a table misses a curve of its function.
   /// True if texels on the device do not tell apart the values that matter to a sum or mean.
   bool MergesValues() const { return this->mergesValues; }
 
