@@ -155,13 +155,13 @@ std::vector<double> VolumeFingerprint(const Frame& frame)
   Numbers numbers = ExtinctionFingerprint(frame);
   Append(numbers, frame.material.OtherNumbers());
   Append(numbers, LightsOf(frame));
-  Append(numbers, frame.casters.fingerprint);
   return numbers;
 }
 
 std::vector<double> ImageFingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
 {
   Numbers numbers = frame.fingerprint;
+  Append(numbers, frame.casters.fingerprint);
   Append(numbers,
     { AddressOf(frame.view.renderer), TimeOf(mapper), double(frame.settings.sceneGeometry) });
   Append(numbers, ViewOf(frame));

@@ -68,9 +68,9 @@ std::vector<double> VoxelInputsOf(const VolumeMarch& march, const VolumeResource
 
 }
 
-bool ToleranceInputs::IsNear(const ToleranceInputs& other) const
+bool ToleranceInputs::HasViewNear(const ToleranceInputs& other) const
 {
-  if (!this->HasSceneOf(other) || this->view.size() != other.view.size())
+  if (this->view.size() != other.view.size())
   {
     return false;
   }
@@ -90,6 +90,7 @@ void ToleranceInputs::Add(const VolumeMarch& march, const VolumeResources& volum
   append(this->rule, RuleInputsOf(march));
   append(this->voxels, VoxelInputsOf(march, volume));
   append(this->scene, SceneInputsOf(march));
+  append(this->casters, march.frame.casters.fingerprint);
   this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
 }

@@ -17,6 +17,7 @@ struct ToleranceInputs
   std::vector<double> rule;        ///< Other inputs of the choice of the rule, without voxels.
   std::vector<double> voxels;      ///< The voxels of each volume, and the values told apart.
   std::vector<double> scene;       ///< Other inputs of the image in any view.
+  std::vector<double> casters;     ///< The geometry that casts shadows on the volumes.
   std::vector<CornersClip> view;   ///< The corners of the volumes in the view.
 
   /// Adds the inputs of one volume.
@@ -26,16 +27,26 @@ struct ToleranceInputs
   {
     return this->recipe == other.recipe && this->rule == other.rule;
   }
-  bool HasSceneOf(const ToleranceInputs& other) const
+  /// True if the scene is the same but for the places of geometry that casts shadows.
+  bool HasVolumesOf(const ToleranceInputs& other) const
   {
     return this->HasRuleOf(other) && this->voxels == other.voxels && this->scene == other.scene;
+  }
+  bool HasSceneOf(const ToleranceInputs& other) const
+  {
+    return this->HasVolumesOf(other) && this->casters == other.casters;
   }
   bool operator==(const ToleranceInputs& other) const
   {
     return this->HasSceneOf(other) && this->view == other.view;
   }
+  /// True if the view is nearly the same.
+  bool HasViewNear(const ToleranceInputs& other) const;
   /// True if the scene is the same, and the view nearly the same.
-  bool IsNear(const ToleranceInputs& other) const;
+  bool IsNear(const ToleranceInputs& other) const
+  {
+    return this->HasSceneOf(other) && this->HasViewNear(other);
+  }
 };
 
 }

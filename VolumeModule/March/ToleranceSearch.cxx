@@ -135,16 +135,18 @@ void ToleranceSearch::Forget()
 }
 
 // While the view moves, a choice is reused for nearby views. A view at rest gets a choice of its
-// own.
+// own, and so does geometry.
 bool ToleranceSearch::Serves(const ToleranceChoice& made, const ToleranceInputs& inputs) const
 {
-  return this->viewRests ? made.inputs == inputs : made.inputs.IsNear(inputs);
+  const bool isForMotion = made.isOfOtherCasters && this->viewRests && this->castersRest;
+  return this->viewRests ? made.inputs == inputs && !isForMotion : made.inputs.IsNear(inputs);
 }
 
 bool ToleranceSearch::TakeRemembered(const ToleranceInputs& inputs)
 {
-  const auto isOfImage = [&](const ToleranceChoice& made) { return made.inputs == inputs; };
   const auto serves = [&](const ToleranceChoice& made) { return this->Serves(made, inputs); };
+  const auto isOfImage = [&](const ToleranceChoice& made)
+  { return made.inputs == inputs && serves(made); };
   auto found = std::find_if(this->remembered.begin(), this->remembered.end(), isOfImage);
   if (found == this->remembered.end())
   {
@@ -179,18 +181,15 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
 {
   if (BeginsPicture(march.plan.pass))
   {
-    this->viewRests = inputs.view == this->view;
-    const bool areNew = !this->voxels.empty() && inputs.voxels != this->voxels;
-    this->isSeries = areNew && this->voxelsWereNew;
-    this->voxelsWereNew = areNew;
-    this->voxels = inputs.voxels;
+    this->BeginImage(inputs);
   }
   this->view = inputs.view;
   const bool serves = this->choice && this->Serves(*this->choice, inputs);
-  if (!serves && !this->TakeRemembered(inputs))
+  const Trial trial{ march, volume, draw, march.plan.budget.StepLimit(),
+    TrialPixels(march.plan.viewport) };
+  if (!serves && !this->TakeRemembered(inputs) && !this->KeepBesideMovedCasters(trial, inputs))
   {
-    ToleranceChoice made =
-      this->ChooseSteps({ march, volume, draw, march.plan.budget.StepLimit() }, inputs);
+    ToleranceChoice made = this->ChooseSteps(trial, inputs);
     this->Remember();
     this->choice = std::move(made);
     ++this->searches;
@@ -238,7 +237,7 @@ const std::vector<float>& ToleranceSearch::Trial::DrawOnce(
 MarchPlan ToleranceSearch::Trial::PlanOf(
   bool isLit, Integration integration, double distanceMm) const
 {
-  MarchPlan tried = this->march.plan.WithViewport(TrialPixels(this->march.plan.viewport));
+  MarchPlan tried = this->march.plan.WithViewport(this->pixels);
   tried.pass = RayPass::Whole;
   tried.integration = integration;
   tried.sampleDistanceMm = distanceMm;

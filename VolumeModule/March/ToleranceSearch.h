@@ -21,6 +21,7 @@ struct ToleranceChoice
   Integration integration;
   StepChoice step;
   double missedOfLimit = 0.0; ///< The error that no sample distance shows, in parts of the limit.
+  bool isOfOtherCasters = false; ///< True if it was found before geometry moved, and tried since.
 };
 
 /// Draws a trial image and returns premultiplied RGBA of the pixels of the plan's viewport.
@@ -54,6 +55,7 @@ private:
     const VolumeResources& volume;
     const TrialDrawing& draw;
     ErrorLimit limit;
+    Viewport pixels;
     /// The images drawn so far, by lighting, rule and sample distance.
     std::map<std::tuple<bool, Integration, double>, std::vector<float>> drawn = {};
 
@@ -70,6 +72,10 @@ private:
     MarchPlan PlanOf(bool isLit, Integration integration, double distanceMm) const;
   };
 
+  /// Finds out what has changed since the last image.
+  void BeginImage(const ToleranceInputs& inputs);
+  /// Keeps the choice while only geometry moves that casts shadows, if a few rays confirm it.
+  bool KeepBesideMovedCasters(Trial trial, const ToleranceInputs& inputs);
   bool Serves(const ToleranceChoice& made, const ToleranceInputs& inputs) const;
   /// Takes an earlier choice for the image, if there is one.
   bool TakeRemembered(const ToleranceInputs& inputs);
@@ -93,6 +99,8 @@ private:
   std::list<ToleranceChoice> remembered; ///< Earlier choices, the last first.
   std::vector<CornersClip> view;         ///< The view of the last image with a tolerance.
   bool viewRests = false;                ///< True if the previous image had the same view.
+  std::vector<double> casters;           ///< The geometry of the last image.
+  bool castersRest = false;              ///< True if the previous image had the same geometry.
   std::vector<double> voxels;            ///< The voxels of the last image.
   bool voxelsWereNew = false;            ///< True if they were not those of the image before it.
   bool isSeries = false;                 ///< True if the last two images had new voxels.
