@@ -30,6 +30,7 @@ public:
   }
 
   int Questions() const { return this->questions; }
+  QString LastQuestion() const { return this->lastQuestion; }
 
 private:
   void Answer()
@@ -38,6 +39,7 @@ private:
     if (auto* const box = qobject_cast<QMessageBox*>(dialog))
     {
       ++this->questions;
+      this->lastQuestion = box->text();
       box->button(this->button)->click();
     }
     else if (auto* const file = qobject_cast<QFileDialog*>(dialog))
@@ -57,6 +59,7 @@ private:
 
   QMessageBox::StandardButton button;
   QString fileName;
+  QString lastQuestion;
   int questions = 0;
   QTimer timer;
 };

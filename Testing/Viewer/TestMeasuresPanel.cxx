@@ -12,6 +12,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QImage>
 #include <QLineEdit>
 #include <QPainter>
@@ -189,41 +190,74 @@ std::string FloatBytes(const std::vector<float>& numbers)
   return { reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float) };
 }
 
-TEST_F(Measures, AreReportedAsThoseOfTheScanThatIsEdited)
+// Two scans of patients, of the studies 1.2.77 and 1.2.78.
+class MeasuresOfTwoScans : public Measures
 {
-  const TemporaryFolder folders[2];
-  std::vector<std::shared_ptr<const Study>> scans;
-  for (int i = 0; i < 2; ++i)
+protected:
+  void Open(const Placement& placementOfSecond)
   {
-    WriteScanOfPatient(folders[i], "ISO_IR 100", i == 0 ? "1.2.77" : "1.2.78");
-    LoadedVolume volume = LoadVolume(FileSource{ folders[i].Path(""), std::nullopt });
-    ImageStatistics statistics(volume.image);
-    scans.push_back(std::make_shared<const Study>(Study{ volume, statistics }));
+    std::vector<std::shared_ptr<const Study>> scans;
+    for (int i = 0; i < 2; ++i)
+    {
+      WriteScanOfPatient(this->folders[i], "ISO_IR 100", i == 0 ? "1.2.77" : "1.2.78");
+      LoadedVolume volume = LoadVolume(this->Source(i));
+      ImageStatistics statistics(volume.image);
+      scans.push_back(std::make_shared<const Study>(Study{ volume, statistics }));
+    }
+    this->model.Open(this->Source(0), scans[0]);
+    OverlaidVolume overlay = OverlayOf(this->Source(1), scans[1]->volume, scans[1]->statistics);
+    overlay.placement = placementOfSecond;
+    this->model.AddOverlay(overlay, scans[1], "add a scan");
   }
-  this->model.Open(FileSource{ folders[0].Path(""), std::nullopt }, scans[0]);
-  OverlaidVolume overlay = OverlayOf(
-    FileSource{ folders[1].Path(""), std::nullopt }, scans[1]->volume, scans[1]->statistics);
-  overlay.placement.moveMm = { 10.0, 0.0, 0.0 };
-  this->model.AddOverlay(overlay, scans[1], "add a scan");
-  this->model.Edit(ScenePart::Measures, "measure",
-    [](Scene& scene) {
-      scene.measures = { { MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } } };
-    });
-  const auto saved = [&](int volume)
+
+  void Measure(const Measure& measure)
+  {
+    this->model.Edit(
+      ScenePart::Measures, "measure", [&](Scene& scene) { scene.measures = { measure }; });
+  }
+
+  // The report of a volume, or the last sentence that tells why there is none.
+  std::string Saved(int volume)
   {
     const std::string name = "sr" + std::to_string(volume) + ".dcm";
+    const std::string path = this->folders[0].Path(name);
     this->model.SetEditedVolume(volume);
-    const Answers answers(QMessageBox::Ok, QString::fromStdString(folders[0].Path(name)));
+    const Answers answers(QMessageBox::Ok, QString::fromStdString(path));
     this->panel.findChild<QPushButton*>("save")->click();
-    return folders[0].Bytes(name);
-  };
-  const std::string ofFirst = saved(0);
+    return QFile::exists(QString::fromStdString(path)) ? this->folders[0].Bytes(name)
+                                                       : answers.LastQuestion().toStdString();
+  }
+
+private:
+  FileSource Source(int scan) const { return { this->folders[scan].Path(""), std::nullopt }; }
+
+  TemporaryFolder folders[2];
+};
+
+TEST_F(MeasuresOfTwoScans, AreReportedAsThoseOfTheScanThatIsEdited)
+{
+  this->Open({ {}, { 10.0, 0.0, 0.0 } });
+  this->Measure({ MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } });
+  const std::string ofFirst = this->Saved(0);
   EXPECT_NE(ofFirst.find("1.2.77"), std::string::npos);
   EXPECT_NE(ofFirst.find(FloatBytes({ 0, 0, 0, 3, 4, 0 })), std::string::npos);
-  const std::string ofSecond = saved(1);
+  const std::string ofSecond = this->Saved(1);
   EXPECT_EQ(ofSecond.find("1.2.77"), std::string::npos);
   EXPECT_NE(ofSecond.find("1.2.78"), std::string::npos);
   EXPECT_NE(ofSecond.find(FloatBytes({ -10, 0, 0, -7, 4, 0 })), std::string::npos);
+}
+
+// A box of the report would hold other voxels than the box on the screen.
+TEST_F(MeasuresOfTwoScans, AreNotReportedWithABoxThatIsTurnedAgainstTheScan)
+{
+  this->Open({ { 0.0, 0.0, 10.0 }, {} });
+  this->Measure({ MeasureKind::Box, { { -20, -20, -20 }, { 20, 20, 20 } } });
+  EXPECT_EQ(this->Saved(1),
+    "A box lies along the axes of the first scan, and this one has others. Remove the boxes, or "
+    "save a table.");
+  EXPECT_NE(this->Saved(0).find("1.2.77"), std::string::npos);
+  this->Measure({ MeasureKind::Distance, { { 0, 0, 0 }, { 3, 4, 0 } } });
+  EXPECT_NE(this->Saved(1).find("1.2.78"), std::string::npos);
 }
 
 TEST_F(Measures, AreGoneToByADoubleClick)

@@ -3,6 +3,8 @@
 #include "FakeWebArchive.h"
 #include "Module/PhantomDicom.h"
 #include "Module/PhantomFiles.h"
+#include "ScanOfPatient.h"
+#include "Scene/Overlaying.h"
 #include "Viewer/Archives/ArchiveList.h"
 #include "Viewer/Archives/SendDialog.h"
 #include "Viewer/MainWindow.h"
@@ -46,6 +48,17 @@ protected:
       [this] { return this->window.Model()->CurrentStudy() != nullptr; }, MostMilliseconds));
   }
 
+  // Lays another study over the scan. It is then the one whose look is edited.
+  void AddScanOfOther()
+  {
+    WriteScanOfPatient(this->otherScans);
+    const FileSource source = { this->otherScans.Path(""), std::nullopt };
+    LoadedVolume volume = LoadVolume(source);
+    ImageStatistics statistics(volume.image);
+    const auto study = std::make_shared<const Study>(Study{ volume, statistics });
+    this->window.Model()->AddOverlay(OverlayOf(source, volume, statistics), study, "add a scan");
+  }
+
   void MeasureDistance()
   {
     this->window.Model()->Edit(ScenePart::Measures, "measure",
@@ -71,6 +84,7 @@ protected:
   }
 
   TemporaryFolder scans;
+  TemporaryFolder otherScans;
   FakeWebArchive server;
   MainWindow window;
 };
@@ -105,4 +119,18 @@ TEST_F(Sending, AddsTheMeasurementsOfThePatientAsAReport)
   EXPECT_TRUE(report.contains(ReportStorage));
   EXPECT_TRUE(report.contains("Doe^Jane"));
   EXPECT_TRUE(report.contains("SCOORD3D"));
+}
+
+TEST_F(Sending, NamesThePatientOfTheScanThatIsEdited)
+{
+  this->OpenScan();
+  this->AddScanOfOther();
+  this->MeasureDistance();
+  const QByteArray ofSecond = this->Sent(true);
+  EXPECT_EQ(ofSecond.count(QByteArray("UI\6\0001.2.77", 10)), 2) << "the image and the report";
+  EXPECT_FALSE(ofSecond.contains("Doe^Jane"));
+  this->window.Model()->SetEditedVolume(0);
+  const QByteArray ofFirst = this->Sent(true);
+  EXPECT_TRUE(ofFirst.contains("Doe^Jane"));
+  EXPECT_FALSE(ofFirst.contains("1.2.77"));
 }

@@ -1,10 +1,11 @@
 #include "Viewer/Archives/SendDialog.h"
 
 #include "Archive/Archive.h"
-#include "DicomMeasures/DicomMeasures.h"
 #include "Readers/Dicom/TaggedSeries.h"
 #include "Readers/PrivateFolder.h"
 #include "Scene/ImageFiles.h"
+#include "Scene/SceneVolumes.h"
+#include "Viewer/Model/MeasureReport.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/StudyTimes.h"
 #include "Viewer/View/PictureExport.h"
@@ -51,8 +52,7 @@ struct Parcel
   vtkSmartPointer<vtkImageData> picture;
   PictureOrigin origin;
   std::optional<FileSource> scan; ///< the scan whose patient the image names; empty: nobody
-  std::vector<Measure> measures;  ///< to send as a report of the scan
-  LoadedVolume volume;            ///< the volume in which they were taken
+  std::optional<MeasureReport> report;
 };
 
 void SendParcel(Parcel parcel, Archive& archive, const TaskProgress& goesOn)
@@ -64,12 +64,10 @@ void SendParcel(Parcel parcel, Archive& archive, const TaskProgress& goesOn)
     parcel.origin.identity = IdentityOf(*parcel.scan, goesOn);
   }
   WritePicture(parcel.picture, parcel.origin, files.front());
-  if (parcel.scan && !parcel.measures.empty())
+  if (parcel.report)
   {
     files.push_back((folder.Path() / "measurements.dcm").string());
-    ReadProgress progress(goesOn);
-    const TaggedSeries images(parcel.scan->path, parcel.scan->series, progress);
-    WriteDicomMeasures(parcel.measures, parcel.volume, images.Files(), files.back());
+    parcel.report->Write(files.back(), goesOn);
   }
   archive.Send(files, goesOn);
 }
@@ -93,16 +91,12 @@ SendDialog::SendDialog(SceneModel* model, QSize pixels, QWidget* parent)
   this->resize(520, 0);
   this->overlay->setChecked(true);
   this->identity->setObjectName("identity");
-  this->identity->setEnabled(std::holds_alternative<FileSource>(model->CurrentScene().volume));
   this->identity->setToolTip(
-    tr("Otherwise the image names nobody, and the archive lists it as a study of its own"));
+    tr("Otherwise the image names nobody, and the archive lists it as a study of its own. With "
+       "several scans it is the one chosen in the panel Volumes."));
   this->report->setObjectName("report");
-  this->report->setEnabled(false);
-  const auto study = model->CurrentStudy();
-  const bool canReport =
-    study && !study->volume.frameOfReference.empty() && !model->CurrentScene().measures.empty();
-  connect(this->identity, &QCheckBox::toggled, this->report,
-    [this, canReport](bool hasIdentity) { this->report->setEnabled(hasIdentity && canReport); });
+  connect(this->identity, &QCheckBox::toggled, this, &SendDialog::ShowPossible);
+  connect(model, &SceneModel::Changed, this, &SendDialog::ShowPossible);
   this->status->setObjectName("status");
   this->status->setTextFormat(Qt::PlainText);
   this->status->setWordWrap(true);
@@ -123,6 +117,17 @@ SendDialog::SendDialog(SceneModel* model, QSize pixels, QWidget* parent)
   connect(&this->task, &BackgroundTask::RunningChanged, this, &SendDialog::ShowRunning);
   connect(&this->task, &BackgroundTask::Failed, this->status, &QLabel::setText);
   this->ShowRunning(false);
+  this->ShowPossible();
+}
+
+void SendDialog::ShowPossible()
+{
+  const Scene& scene = this->model->CurrentScene();
+  const int edited = this->model->EditedVolume();
+  this->identity->setEnabled(std::holds_alternative<FileSource>(VolumeSourceOf(scene, edited)));
+  this->report->setEnabled(this->identity->isEnabled() && this->identity->isChecked() &&
+    !scene.measures.empty() &&
+    MeasureReport::IsPossible(scene, *this->model->CurrentStudy(), edited));
 }
 
 void SendDialog::ShowRunning(bool isRunning)
@@ -151,18 +156,16 @@ void SendDialog::Send()
     const Scene scene = this->model->CurrentScene();
     const auto study = ShownStudy(*this->model);
     PictureMaker maker(scene, *study, { this->pixels, false, this->overlay->isChecked() });
-    Parcel parcel = { BytesOfImage(maker.Draw()), { scene.render, MapperKind::Varimarch }, {}, {},
-      study->volume };
-    parcel.origin.isPreview = parcel.volume.isPreview;
-    parcel.volume.image = SharedCopy(parcel.volume);
-    if (const auto* const file = std::get_if<FileSource>(&scene.volume);
-        file && this->identity->isChecked())
+    Parcel parcel = { BytesOfImage(maker.Draw()), { scene.render, MapperKind::Varimarch }, {}, {} };
+    parcel.origin.isPreview = study->volume.isPreview;
+    const int edited = this->model->EditedVolume();
+    if (this->identity->isEnabled() && this->identity->isChecked())
     {
-      parcel.scan = *file;
+      parcel.scan = std::get<FileSource>(VolumeSourceOf(scene, edited));
     }
     if (this->report->isEnabled() && this->report->isChecked())
     {
-      parcel.measures = scene.measures;
+      parcel.report.emplace(scene, *study, edited);
     }
     this->task.Start([=, address = archive->address, secret = *password](const TaskProgress& goesOn)
       { SendParcel(parcel, *ArchiveAt(address, secret), goesOn); },

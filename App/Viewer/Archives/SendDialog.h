@@ -18,8 +18,8 @@ namespace varimarch
 class SceneModel;
 
 /// Renders the image of the scene, and sends it to an archive as a DICOM secondary capture: without
-/// data of the patient, or with those of the scan. With those it can send the measurements too, as
-/// a structured report.
+/// data of the patient, or with those of the scan whose look is edited. With those it can send the
+/// measurements too, as a structured report.
 class SendDialog : public QDialog
 {
   Q_OBJECT
@@ -28,6 +28,7 @@ public:
   SendDialog(SceneModel* model, QSize pixels, QWidget* parent);
 
 private:
+  void ShowPossible();
   void Send();
   void ShowRunning(bool isRunning);
 

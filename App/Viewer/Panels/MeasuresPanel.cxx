@@ -1,13 +1,10 @@
 #include "Viewer/Panels/MeasuresPanel.h"
 
-#include "DicomMeasures/DicomMeasures.h"
-#include "Readers/Dicom/TaggedSeries.h"
 #include "Scene/MeasureKinds.h"
 #include "Scene/MeasuresCsv.h"
 #include "Scene/OutputFile.h"
-#include "Scene/Placing.h"
-#include "Scene/SceneVolumes.h"
 #include "Scene/WorldVector.h"
+#include "Viewer/Model/MeasureReport.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/StudyTimes.h"
 #include "Viewer/SaveDialog.h"
@@ -22,9 +19,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <exception>
-#include <stdexcept>
 
 namespace varimarch
 {
@@ -181,9 +176,10 @@ void MeasuresPanel::RemoveAll()
 
 void MeasuresPanel::Save()
 {
+  const Scene& scene = this->model->CurrentScene();
+  const int edited = this->model->EditedVolume();
   QStringList filters = { tr("Table (*.csv)") };
-  // Only DICOM has frames of reference.
-  const bool isDicom = !this->model->EditedStudy()->volume.frameOfReference.empty();
+  const bool isDicom = MeasureReport::IsPossible(scene, *this->model->CurrentStudy(), edited);
   if (isDicom)
   {
     filters.append(tr("DICOM structured report (*.dcm)"));
@@ -196,14 +192,13 @@ void MeasuresPanel::Save()
   try
   {
     const WaitCursor waiting;
+    const auto study = ShownStudy(*this->model);
     if (isDicom && path.endsWith(".dcm", Qt::CaseInsensitive))
     {
-      this->WriteReport(path.toStdString());
+      MeasureReport(scene, *study, edited).Write(path.toStdString(), [](double) { return true; });
     }
     else
     {
-      const Scene& scene = this->model->CurrentScene();
-      const auto study = ShownStudy(*this->model);
       WriteFileWhole(
         path.toStdString(), CsvOf(scene.measures, study->volume, VisibleOverlays(scene, *study)));
     }
@@ -213,32 +208,6 @@ void MeasuresPanel::Save()
   {
     QMessageBox::warning(this, tr("Cannot save"), QString::fromStdString(problem.what()));
   }
-}
-
-// The report is of the volume that is edited, for whose patient an added scan may be the only one.
-// A scan with a frame of reference is a series of files.
-void MeasuresPanel::WriteReport(const std::string& path) const
-{
-  const Scene& scene = this->model->CurrentScene();
-  const int volume = this->model->EditedVolume();
-  const auto study = this->model->EditedStudy();
-  const Placement placement = PlacementOf(scene, volume);
-  const bool hasBox = std::any_of(scene.measures.begin(), scene.measures.end(),
-    [](const Measure& measure) { return measure.kind == MeasureKind::Box; });
-  if (hasBox &&
-    !AreTurnedAlike(
-      this->model->CurrentStudy()->volume.image, Placed(study->volume.image, placement)))
-  {
-    throw std::runtime_error(
-      tr("A box lies along the axes of the first scan, and this one has others. "
-         "Remove the boxes, or save a table.")
-        .toStdString());
-  }
-  const auto& scan = std::get<FileSource>(VolumeSourceOf(scene, volume));
-  ReadProgress progress([](double) { return true; });
-  const TaggedSeries images(scan.path, scan.series, progress);
-  WriteDicomMeasures(InPatientCoordinates(scene.measures, placement, study->volume.image),
-    study->volume, images.Files(), path);
 }
 
 }

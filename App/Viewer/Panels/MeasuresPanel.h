@@ -33,7 +33,6 @@ private:
   void RemoveSelected();
   void RemoveAll();
   void Save();
-  void WriteReport(const std::string& path) const;
 
   SceneModel* model;
   QTableWidget* table; ///< in the order of the scene

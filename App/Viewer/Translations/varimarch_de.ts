@@ -197,6 +197,13 @@
     </message>
 </context>
 <context>
+    <name>MeasureReport</name>
+    <message>
+        <source>A box lies along the axes of the first scan, and this one has others. Remove the boxes, or save a table.</source>
+        <translation>Ein Quader liegt entlang der Achsen der ersten Aufnahme, und diese hat andere. Entfernen Sie die Quader, oder speichern Sie eine Tabelle.</translation>
+    </message>
+</context>
+<context>
     <name>MeasureTexts</name>
     <message>
         <source>Volume %1</source>
@@ -2823,10 +2830,6 @@ Masken nicht unterstützt</translation>
         <translation>zu einer Messung gehen</translation>
     </message>
     <message>
-        <source>A box lies along the axes of the first scan, and this one has others. Remove the boxes, or save a table.</source>
-        <translation>Ein Quader liegt entlang der Achsen der ersten Aufnahme, und diese hat andere. Entfernen Sie die Quader, oder speichern Sie eine Tabelle.</translation>
-    </message>
-    <message>
         <source>Save the measurements</source>
         <translation>Messungen speichern</translation>
     </message>
@@ -3526,8 +3529,8 @@ ml</translation>
         <translation>Bild an ein Archiv senden</translation>
     </message>
     <message>
-        <source>Otherwise the image names nobody, and the archive lists it as a study of its own</source>
-        <translation>Sonst nennt das Bild niemanden, und das Archiv führt es als eigene Studie</translation>
+        <source>Otherwise the image names nobody, and the archive lists it as a study of its own. With several scans it is the one chosen in the panel Volumes.</source>
+        <translation>Sonst nennt das Bild niemanden, und das Archiv führt es als eigene Studie. Bei mehreren Aufnahmen ist es die unter „Volumen“ gewählte.</translation>
     </message>
     <message>
         <source>Send</source>

@@ -197,6 +197,13 @@
     </message>
 </context>
 <context>
+    <name>MeasureReport</name>
+    <message>
+        <source>A box lies along the axes of the first scan, and this one has others. Remove the boxes, or save a table.</source>
+        <translation>Una caja está alineada con los ejes del primer estudio, y este tiene otros. Quite las cajas o guarde una tabla.</translation>
+    </message>
+</context>
+<context>
     <name>MeasureTexts</name>
     <message>
         <source>Volume %1</source>
@@ -2823,10 +2830,6 @@ no admite máscaras</translation>
         <translation>ir a una medición</translation>
     </message>
     <message>
-        <source>A box lies along the axes of the first scan, and this one has others. Remove the boxes, or save a table.</source>
-        <translation>Una caja está alineada con los ejes del primer estudio, y este tiene otros. Quite las cajas o guarde una tabla.</translation>
-    </message>
-    <message>
         <source>Save the measurements</source>
         <translation>Guardar las mediciones</translation>
     </message>
@@ -3526,8 +3529,8 @@ ml</translation>
         <translation>Enviar la imagen a un archivo PACS</translation>
     </message>
     <message>
-        <source>Otherwise the image names nobody, and the archive lists it as a study of its own</source>
-        <translation>Si no, la imagen no nombra a nadie y el archivo la muestra como un estudio propio</translation>
+        <source>Otherwise the image names nobody, and the archive lists it as a study of its own. With several scans it is the one chosen in the panel Volumes.</source>
+        <translation>Si no, la imagen no nombra a nadie y el archivo la muestra como un estudio propio. Si hay varios estudios, es el elegido en el panel Volúmenes.</translation>
     </message>
     <message>
         <source>Send</source>
