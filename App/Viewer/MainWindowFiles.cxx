@@ -58,6 +58,11 @@ QString MainWindow::FileFilter()
 
 void MainWindow::Open(const QString& name, const QString& series)
 {
+  if (name.isEmpty())
+  {
+    this->ShowFailure(tr("There is no file to open: its name is empty."));
+    return;
+  }
   if (!this->MayLeaveScan())
   {
     return;

@@ -129,6 +129,15 @@ TEST_F(Opening, AFileThatDoesNotAnswerIsASentence)
   EXPECT_TRUE(failed.first().first().toString().contains("a.nii\" does not answer"));
 }
 
+TEST_F(Opening, AnEmptyNameIsASentence)
+{
+  QSignalSpy failed(&this->window, &MainWindow::OpeningFailed);
+  this->window.Open("");
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed.first().first().toString(), "There is no file to open: its name is empty.");
+  EXPECT_FALSE(this->window.Loader()->IsLoading());
+}
+
 TEST_F(Opening, ACoarseCopyIsShownUntilALargeVolumeHasBeenRead)
 {
   const std::string path = this->folder.Write("large.nrrd",

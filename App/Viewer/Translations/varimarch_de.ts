@@ -2051,6 +2051,10 @@ Masken nicht unterstützt</translation>
 <context>
     <name>varimarch::MainWindow</name>
     <message>
+        <source>There is no file to open: its name is empty.</source>
+        <translation>Es gibt keine Datei zu öffnen: Ihr Name ist leer.</translation>
+    </message>
+    <message>
         <source>Varimarch, not for diagnostic use</source>
         <translation>Varimarch, nicht für die Diagnose</translation>
     </message>

@@ -2051,6 +2051,10 @@ no admite máscaras</translation>
 <context>
     <name>varimarch::MainWindow</name>
     <message>
+        <source>There is no file to open: its name is empty.</source>
+        <translation>No hay ningún fichero que abrir: su nombre está vacío.</translation>
+    </message>
+    <message>
         <source>Varimarch, not for diagnostic use</source>
         <translation>Varimarch, no apto para diagnóstico</translation>
     </message>
