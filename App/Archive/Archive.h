@@ -3,6 +3,7 @@
 
 #include "Archive/ArchiveAddress.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -32,6 +33,9 @@ struct ArchiveStudy
   std::string date; ///< as stored, "20261126"
   std::string description;
   std::string modalities; ///< "CT, SEG"
+  /// True if texts are empty because they are in a set of characters that is unknown or another one
+  /// than the archive says: they would be read as other names.
+  bool hasUnreadableTexts = false;
 };
 
 struct ArchiveSeries
@@ -40,8 +44,17 @@ struct ArchiveSeries
   std::string number;
   std::string description;
   std::string modality;
-  std::string imageCount; ///< empty if the archive does not tell
+  std::string imageCount;          ///< empty if the archive does not tell
+  bool hasUnreadableTexts = false; ///< as in a study
 };
+
+/// The number of studies or series with texts that cannot be read.
+template <class Found>
+auto UnreadableCount(const std::vector<Found>& found)
+{
+  return std::count_if(
+    found.begin(), found.end(), [](const Found& one) { return one.hasUnreadableTexts; });
+}
 
 /// Receives the fraction of the work done, [0, 1], or a negative number if that is unknown; returns
 /// false to cancel.

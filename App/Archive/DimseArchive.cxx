@@ -7,6 +7,7 @@
 #include <dcmtk/dcmnet/diutil.h>
 #include <dcmtk/oflog/oflog.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -43,6 +44,44 @@ std::string TextOf(DcmDataset& dataset, const DcmTagKey& tag)
   dataset.findAndGetOFStringArray(tag, text);
   return text.c_str();
 }
+
+// True for texts that mean the same in all sets of characters: no escape sequence chooses one.
+bool IsPlain(const std::string& text)
+{
+  return std::all_of(
+    text.begin(), text.end(), [](char letter) { return letter >= 0x20 && letter < 0x7f; });
+}
+
+// An entry that a search has found, in UTF-8.
+class FoundEntry
+{
+public:
+  explicit FoundEntry(DcmDataset& dataset)
+    : dataset(dataset)
+    , isConverted(dataset.convertToUTF8().good())
+  {
+  }
+
+  // A text. It is empty if it would be read as another one.
+  std::string Text(const DcmTagKey& tag)
+  {
+    std::string text = TextOf(this->dataset, tag);
+    if (this->isConverted || IsPlain(text))
+    {
+      return text;
+    }
+    this->hasUnreadable = true;
+    return {};
+  }
+
+  // True if one of the texts so far could not be read.
+  bool HasUnreadable() const { return this->hasUnreadable; }
+
+private:
+  DcmDataset& dataset;
+  bool isConverted;
+  bool hasUnreadable = false;
+};
 
 // The study, or the series of it, that is to be fetched.
 DcmDataset Wanted(const std::string& study, const std::string& series)
@@ -89,7 +128,7 @@ struct Responses
   OFList<Response*> list;
 };
 
-// The answers to a search, in UTF-8.
+// The answers to a search.
 class Answers
 {
 public:
@@ -115,7 +154,7 @@ public:
     }
   }
 
-  // Calls a function with each data set that was found.
+  // Calls a function with each entry that was found.
   template <class Function>
   void ForEach(const Function& take)
   {
@@ -123,8 +162,7 @@ public:
     {
       if (response->m_dataset)
       {
-        response->m_dataset->convertToUTF8();
-        take(*response->m_dataset);
+        take(FoundEntry(*response->m_dataset));
       }
     }
   }
@@ -200,11 +238,12 @@ std::vector<ArchiveStudy> DimseArchive::FindStudies(
     progress);
   std::vector<ArchiveStudy> studies;
   answers.ForEach(
-    [&](DcmDataset& study)
+    [&](FoundEntry study)
     {
-      studies.push_back({ TextOf(study, DCM_StudyInstanceUID), TextOf(study, DCM_PatientName),
-        TextOf(study, DCM_PatientID), TextOf(study, DCM_StudyDate),
-        TextOf(study, DCM_StudyDescription), Listed(TextOf(study, DCM_ModalitiesInStudy)) });
+      studies.push_back({ study.Text(DCM_StudyInstanceUID), study.Text(DCM_PatientName),
+        study.Text(DCM_PatientID), study.Text(DCM_StudyDate), study.Text(DCM_StudyDescription),
+        Listed(study.Text(DCM_ModalitiesInStudy)) });
+      studies.back().hasUnreadableTexts = study.HasUnreadable();
     });
   return studies;
 }
@@ -220,11 +259,12 @@ std::vector<ArchiveSeries> DimseArchive::FindSeries(
     progress);
   std::vector<ArchiveSeries> all;
   answers.ForEach(
-    [&](DcmDataset& series)
+    [&](FoundEntry series)
     {
-      all.push_back({ TextOf(series, DCM_SeriesInstanceUID), TextOf(series, DCM_SeriesNumber),
-        TextOf(series, DCM_SeriesDescription), TextOf(series, DCM_Modality),
-        TextOf(series, DCM_NumberOfSeriesRelatedInstances) });
+      all.push_back({ series.Text(DCM_SeriesInstanceUID), series.Text(DCM_SeriesNumber),
+        series.Text(DCM_SeriesDescription), series.Text(DCM_Modality),
+        series.Text(DCM_NumberOfSeriesRelatedInstances) });
+      all.back().hasUnreadableTexts = series.HasUnreadable();
     });
   return all;
 }

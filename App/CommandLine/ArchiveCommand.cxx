@@ -1,4 +1,5 @@
 #include "ArchiveArguments.h"
+#include "Messages.h"
 #include "OutputFolder.h"
 #include "Progress.h"
 #include "UsageError.h"
@@ -103,6 +104,18 @@ void PrintRow(const std::vector<std::string>& cells)
   std::cout << '\n';
 }
 
+// Says that texts of studies or series are missing.
+template <class Found>
+void WarnOfUnreadable(const std::vector<Found>& found)
+{
+  if (const auto count = UnreadableCount(found))
+  {
+    PrintMessage("warning: Texts of " + std::to_string(count) +
+      " entries were left out: they are in an unknown set of characters, or in another than the "
+      "archive says.");
+  }
+}
+
 }
 
 void RunArchiveCheck(const ArchiveAddress& address)
@@ -124,6 +137,7 @@ void RunArchiveFind(const ArchiveFindArguments& arguments)
     {
       PrintRow({ one.uid, one.number, one.modality, one.imageCount, one.description });
     }
+    WarnOfUnreadable(found);
     return;
   }
   const std::vector<ArchiveStudy> found = archive->FindStudies(arguments.query, GoesOn);
@@ -133,6 +147,7 @@ void RunArchiveFind(const ArchiveFindArguments& arguments)
     PrintRow(
       { one.uid, one.date, one.modalities, one.patientId, one.patientName, one.description });
   }
+  WarnOfUnreadable(found);
 }
 
 void RunArchiveGet(const ArchiveGetArguments& arguments)

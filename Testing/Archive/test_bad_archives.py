@@ -11,7 +11,6 @@ import os
 import pathlib
 import random
 import socket
-import struct
 import subprocess
 import sys
 import tempfile
@@ -19,6 +18,13 @@ import threading
 import time
 
 import dicom_file
+from dimse_messages import (
+    RELEASE_ANSWER,
+    RELEASE_REQUEST,
+    accepted_association,
+    find_answer,
+    implicit,
+)
 
 PATIENCE = 1.0
 # Much longer than the patience: the machine may be busy. A program that waits on is killed later.
@@ -282,6 +288,42 @@ def addresses_are_checked():
         assert "secret" not in answer.stderr
 
 
+def names_in_unknown_characters_are_not_guessed():
+    """A text that is read in another set of characters is another name."""
+    studies = [
+        (b"ISO_IR 100", b"M\xfcller^Ute", "M\u00fcller^Ute"),
+        (b"ISO_IR 999", b"M\xfcller^Ute", ""),
+        (b"", b"M\xfcller^Ute", ""),
+        (b"ISO_IR 192", b"M\xfcller^Ute", ""),
+        (b"ISO 2022 IR 999", b"\x1b$B;3ED", ""),
+        (b"ISO_IR 999", b"Doe^Jane", "Doe^Jane"),
+    ]
+
+    def serve(connection):
+        connection.recv(65536)
+        connection.sendall(accepted_association())
+        request = b""
+        number = b"\x00\x00\x10\x01\x02\x00\x00\x00"  # the tag of the message's number
+        while number not in request or b"1.2.840.10008.5.1.4.1.2.2.1" not in request:
+            request += connection.recv(65536)
+        answered = request[request.index(number) + 8 :][:2]
+        for charset, patient, _ in studies:
+            texts = [(0x00080005, charset), (0x00081030, b"Plain"), (0x00100010, patient)]
+            connection.sendall(find_answer(answered, b"".join(implicit(*one) for one in texts)))
+        connection.sendall(find_answer(answered, b""))
+        while RELEASE_REQUEST not in request:
+            request += connection.recv(65536)
+        connection.sendall(RELEASE_ANSWER)
+
+    with server(serve) as port:
+        answer = subprocess.run(
+            [sys.argv[1], "archive", "find", dimse(port)], capture_output=True, timeout=MOST_SECONDS
+        )
+    rows = [line.split("\t") for line in answer.stdout.decode().splitlines()[1:]]
+    assert [row[4:] for row in rows] == [[name, "Plain"] for _, _, name in studies], rows
+    assert b"Texts of 4 entries were left out" in answer.stderr, answer.stderr
+
+
 def other_texts_than_uids_are_not_asked_for():
     """A server of DIMSE takes an empty text or a wild card for all studies."""
     nobody = 9
@@ -307,21 +349,6 @@ def control_characters_do_not_reach_the_terminal():
             timeout=MOST_SECONDS,
         )
     assert answer.stdout.decode().splitlines()[1].endswith("\ta [2Jb 2Jc d\u00e9"), answer
-
-
-def accepted_association(encoding=b"1.2.840.10008.1.2"):
-    """A-ASSOCIATE-AC that accepts the first context, usually in implicit little endian (PS3.8 9.3.3)."""
-
-    def item(kind, content):
-        return struct.pack(">BxH", kind, len(content)) + content
-
-    syntax = item(0x40, encoding)
-    context = item(0x21, bytes([1, 0, 0, 0]) + syntax)
-    application = item(0x10, b"1.2.840.10008.3.1.1.1")
-    user = item(0x50, item(0x51, struct.pack(">I", 16384)) + item(0x52, b"1.2.3.4"))
-    titles = b"FAKE".ljust(16) + b"VARIMARCH".ljust(16)
-    content = struct.pack(">Hxx", 1) + titles + bytes(32) + application + context + user
-    return struct.pack(">BxI", 2, len(content)) + content
 
 
 if __name__ == "__main__":

@@ -38,9 +38,10 @@ QString Text(const std::string& text)
 QTreeWidgetItem* StudyItem(const ArchiveStudy& study)
 {
   const QString name = PersonText(Text(study.patientName));
-  auto* const item = new QTreeWidgetItem(
-    { name.isEmpty() ? ArchiveWindow::tr("No name") : name, Text(study.patientId),
-      DateText(Text(study.date)), Text(study.modalities), QString(), Text(study.description) });
+  const QString none =
+    study.hasUnreadableTexts ? ArchiveWindow::tr("Unreadable name") : ArchiveWindow::tr("No name");
+  auto* const item = new QTreeWidgetItem({ name.isEmpty() ? none : name, Text(study.patientId),
+    DateText(Text(study.date)), Text(study.modalities), QString(), Text(study.description) });
   item->setData(0, StudyRole, Text(study.uid));
   item->setData(0, DateRole, Text(study.date));
   item->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
@@ -56,6 +57,18 @@ QTreeWidgetItem* SeriesItem(const QTreeWidgetItem& study, const ArchiveSeries& s
   item->setData(0, SeriesRole, Text(series.uid));
   item->setData(0, DateRole, study.data(0, DateRole));
   return item;
+}
+
+// Says that texts of studies or series are missing; empty if none are.
+template <class Found>
+QString UnreadableText(const std::vector<Found>& found)
+{
+  const auto count = UnreadableCount(found);
+  return count == 0 ? QString()
+                    : ". " +
+      ArchiveWindow::tr("Texts of %1 entries are left out: they are in an unknown set of "
+                        "characters, or in another than the archive says.")
+        .arg(count);
 }
 
 // The folder that gets a scan.
@@ -295,7 +308,7 @@ void ArchiveWindow::ShowStudies(const std::vector<ArchiveStudy>& studies)
     this->tree->addTopLevelItem(StudyItem(study));
   }
   this->tree->sortItems(0, Qt::AscendingOrder);
-  this->status->setText(tr("Studies: %1").arg(studies.size()));
+  this->status->setText(tr("Studies: %1").arg(studies.size()) + UnreadableText(studies));
 }
 
 // The item may be gone when the answer comes.
@@ -329,7 +342,7 @@ void ArchiveWindow::ListSeries(QTreeWidgetItem* study)
           }
         }
       }
-      this->status->setText(tr("Series: %1").arg(found->size()));
+      this->status->setText(tr("Series: %1").arg(found->size()) + UnreadableText(*found));
     });
 }
 

@@ -1025,6 +1025,14 @@ Masken nicht unterstützt</translation>
 <context>
     <name>varimarch::ArchiveWindow</name>
     <message>
+        <source>Unreadable name</source>
+        <translation>Name nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Texts of %1 entries are left out: they are in an unknown set of characters, or in another than the archive says.</source>
+        <translation>Texte von %1 Einträgen fehlen: Sie sind in einem unbekannten Zeichensatz oder in einem anderen, als das Archiv angibt.</translation>
+    </message>
+    <message>
         <source>No name</source>
         <translation>Kein Name</translation>
     </message>

@@ -1025,6 +1025,14 @@ no admite máscaras</translation>
 <context>
     <name>varimarch::ArchiveWindow</name>
     <message>
+        <source>Unreadable name</source>
+        <translation>Nombre ilegible</translation>
+    </message>
+    <message>
+        <source>Texts of %1 entries are left out: they are in an unknown set of characters, or in another than the archive says.</source>
+        <translation>Faltan textos de %1 entradas: están en un juego de caracteres desconocido o distinto del que indica el archivo.</translation>
+    </message>
+    <message>
         <source>No name</source>
         <translation>Sin nombre</translation>
     </message>
