@@ -1,6 +1,8 @@
 #include "Archive/ArchiveAddress.h"
 
+#include <QFile>
 #include <QSslCertificate>
+#include <QSslKey>
 #include <QUrl>
 
 #include <algorithm>
@@ -33,6 +35,45 @@ bool IsTitle(const std::string& text)
 QUrl UrlOf(const ArchiveAddress& address)
 {
   return QUrl(QString::fromStdString(address.url), QUrl::StrictMode);
+}
+
+// True if a file holds a certificate and a private key that can be read without a password.
+bool HoldsOwnCertificate(const std::string& path)
+{
+  QFile file(QString::fromStdString(path));
+  if (!file.open(QIODevice::ReadOnly))
+  {
+    return false;
+  }
+  const QByteArray text = file.readAll();
+  const auto holdsKey = [&text](QSsl::KeyAlgorithm kind) { return !QSslKey(text, kind).isNull(); };
+  return !QSslCertificate::fromData(text).isEmpty() && (holdsKey(QSsl::Rsa) || holdsKey(QSsl::Ec));
+}
+
+void CheckCertificates(const ArchiveAddress& address, const DimseEndpoint& endpoint)
+{
+  // DCMTK does not compare the host with the name in the certificate.
+  if (endpoint.isEncrypted && address.certificate.empty())
+  {
+    FailOnAddress(
+      address.url, "a file with the certificate of the archive or of its authority", "none");
+  }
+  // We are the server of the connection in which images arrive.
+  if (endpoint.isEncrypted && address.returnPort != 0 && address.ownCertificate.empty())
+  {
+    FailOnAddress(address.url, "a file with our own certificate for encrypted C-MOVE", "none");
+  }
+  if (!endpoint.isEncrypted && !address.ownCertificate.empty())
+  {
+    FailOnAddress(address.url, "dicoms: for a certificate of our own", "dicom:");
+  }
+  if (!address.ownCertificate.empty() && !HoldsOwnCertificate(address.ownCertificate))
+  {
+    FailOnAddress(address.url,
+      "a certificate and its private key without a password in PEM in \"" + address.ownCertificate +
+        '"',
+      "none");
+  }
 }
 
 }
@@ -90,16 +131,7 @@ void CheckAddress(const ArchiveAddress& address)
     FailOnAddress(address.url, "an own application entity title of 1 to 16 characters",
       '"' + address.ownTitle + '"');
   }
-  // DCMTK does not compare the host with the name in the certificate.
-  if (endpoint.isEncrypted && address.certificate.empty())
-  {
-    FailOnAddress(
-      address.url, "a file with the certificate of the archive or of its authority", "none");
-  }
-  if (endpoint.isEncrypted && address.returnPort != 0)
-  {
-    FailOnAddress(address.url, "C-GET or DICOMweb for encrypted images", "C-MOVE");
-  }
+  CheckCertificates(address, endpoint);
 }
 
 void CheckUid(const std::string& text)

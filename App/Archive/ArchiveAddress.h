@@ -17,6 +17,9 @@ struct ArchiveAddress
   /// Certificate of the archive or of its authority (PEM). DIMSE in TLS needs one; DICOMweb trusts
   /// the system's authorities too.
   std::string certificate;
+  /// A file with our own certificate and its private key without a password (PEM), for DIMSE in
+  /// TLS: archives may ask for it, and C-MOVE needs it. Empty without one.
+  std::string ownCertificate;
   /// Port at which we receive what C-MOVE fetches; 0 to fetch by C-GET.
   int returnPort = 0;
   std::string user; ///< for DICOMweb; empty without a password
@@ -38,7 +41,7 @@ bool IsDimse(const ArchiveAddress& address);
 /// @throws std::invalid_argument with one sentence if the URL cannot be understood
 DimseEndpoint DimseEndpointOf(const ArchiveAddress& address);
 
-/// Checks an address, and the file of its certificate, without using the network.
+/// Checks an address, and the files of its certificates, without using the network.
 /// @throws std::invalid_argument with one sentence that says what is wrong
 void CheckAddress(const ArchiveAddress& address);
 

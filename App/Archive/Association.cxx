@@ -89,6 +89,10 @@ std::unique_ptr<DcmSCU> MakeScu(
   auto encrypted = std::make_unique<ObservedScu<DcmTLSSCU>>(progress);
   encrypted->addTrustedCertFile(address.certificate.c_str());
   encrypted->setPeerCertVerification(DCV_requireCertificate);
+  if (const std::string& own = address.ownCertificate; !own.empty())
+  {
+    encrypted->enableAuthentication(own.c_str(), own.c_str(), "");
+  }
   return encrypted;
 }
 

@@ -1,6 +1,7 @@
 #include "Archive/ReturnPort.h"
 
 #include <dcmtk/dcmnet/dstorscp.h>
+#include <dcmtk/dcmtls/tlslayer.h>
 
 #include <atomic>
 #include <cmath>
@@ -9,11 +10,46 @@
 namespace varimarch
 {
 
+namespace
+{
+
+[[noreturn]] void Fail(const ArchiveAddress& address, const std::string& reason)
+{
+  throw std::runtime_error("The archive \"" + address.url + "\" cannot be used: " + reason + ".");
+}
+
+// TLS as the archive is reached by; null if it is reached without.
+std::unique_ptr<DcmTransportLayer> EncryptionFor(const ArchiveAddress& address)
+{
+  if (!DimseEndpointOf(address).isEncrypted)
+  {
+    return nullptr;
+  }
+  auto layer = std::make_unique<DcmTLSTransportLayer>(NET_ACCEPTOR, nullptr, OFTrue);
+  const char* const own = address.ownCertificate.c_str();
+  layer->setPrivateKeyPasswd(""); // DCMTK would ask for one
+  const bool isReady = layer->setPrivateKeyFile(own, DCF_Filetype_PEM).good() &&
+    layer->setCertificateFile(own, DCF_Filetype_PEM).good() &&
+    layer->checkPrivateKeyMatchesCertificate() &&
+    layer->addTrustedCertificateFile(address.certificate.c_str(), DCF_Filetype_PEM).good() &&
+    layer->setTLSProfile(TSP_Profile_BCP195).good() && layer->activateCipherSuites().good();
+  if (!isReady)
+  {
+    Fail(address,
+      "the certificate and the private key in \"" + address.ownCertificate +
+        "\" do not fit each other or TLS");
+  }
+  layer->setCertificateVerification(DCV_requireCertificate);
+  return layer;
+}
+
+}
+
 // DCMTK's server, which stores images under our names.
 class ReturnPort::Receiver : public DcmStorageSCP
 {
 public:
-  Receiver(const ArchiveAddress& address, DimseProgress& progress)
+  Receiver(const ArchiveAddress& address, DcmTransportLayer* encryption, DimseProgress& progress)
     : archiveTitle(DimseEndpointOf(address).title)
     , ownTitle(address.ownTitle)
     , progress(progress)
@@ -29,6 +65,7 @@ public:
     this->setDIMSETimeout(patience);
     this->setACSETimeout(patience);
     this->setHostLookupEnabled(OFFalse);
+    this->getConfig().setTransportLayer(encryption);
     OFList<OFString> syntaxes;
     for (const auto& some : { PlainSyntaxes(), CompressedSyntaxes() })
     {
@@ -70,13 +107,14 @@ private:
 };
 
 ReturnPort::ReturnPort(const ArchiveAddress& address, DimseProgress& progress)
-  : receiver(std::make_unique<Receiver>(address, progress))
+  : encryption(EncryptionFor(address))
+  , receiver(std::make_unique<Receiver>(address, this->encryption.get(), progress))
 {
   if (this->receiver->openListenPort().bad())
   {
-    throw std::runtime_error("The archive \"" + address.url +
-      "\" cannot be used: its images cannot arrive at the port " +
-      std::to_string(address.returnPort) + ", which another program uses; choose another.");
+    Fail(address,
+      "its images cannot arrive at the port " + std::to_string(address.returnPort) +
+        ", which another program uses; choose another");
   }
   this->thread = std::thread([this] { this->receiver->acceptAssociations(); });
 }

@@ -31,6 +31,12 @@ void AddAddressOptions(CLI::App& command, ArchiveAddress& address)
     ->type_name("FILE")
     ->group(group);
   command
+    .add_option("--own-certificate", address.ownCertificate,
+      "Our certificate and its private key without a password, in one file\n"
+      "(PEM), for archives that ask for it; --move with dicoms: needs it")
+    ->type_name("FILE")
+    ->group(group);
+  command
     .add_option("--user", address.user,
       "User of DICOMweb; the password is VARIMARCH_ARCHIVE_PASSWORD of the\n"
       "environment, or is asked for")

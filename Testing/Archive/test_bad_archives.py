@@ -280,6 +280,7 @@ def addresses_are_checked():
         ("https://jane:secret@host/", "no password in the URL"),
         ("https://host/ --certificate missing.crt", "a certificate in PEM in \"missing.crt\""),
         (f"dicoms://PACS@host:104 --certificate {__file__}", "a certificate in PEM"),
+        (f"dicom://PACS@host:104 --own-certificate {__file__}", "dicoms: for a certificate"),
     ]:
         answer = subprocess.run(
             [sys.argv[1], "archive", "check", *address.split()], capture_output=True, text=True

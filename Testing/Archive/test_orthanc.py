@@ -21,6 +21,7 @@ import time
 import urllib.request
 
 import dicom_file
+from certificates import make_certificate
 
 PLUGIN = pathlib.Path("/usr/share/orthanc/plugins/libOrthancDicomWeb.so")
 SKIPPED = 77
@@ -39,23 +40,10 @@ def phantom_pixels(number):
     return [100 * number + 7 * i - 50 for i in range(SIZE * (SIZE - 1))]
 
 
-def make_certificate(folder):
-    """Makes a certificate for this computer, signed by itself, and returns its path."""
-    certificate = str(folder / "server.crt")
-    subprocess.run(
-        ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2"]
-        + ["-subj", "/CN=localhost", "-addext", "subjectAltName=DNS:localhost"]
-        + ["-keyout", folder / "server.key", "-out", certificate],
-        check=True,
-        capture_output=True,
-    )
-    return certificate
-
-
 class Orthanc:
     """Orthanc with an empty storage of its own, as long as the block."""
 
-    def __init__(self, folder, secure=False):
+    def __init__(self, folder, secure=False, asks_us=False):
         self.folder = folder
         self.dicom, self.http, self.back = free_port(), free_port(), free_port()
         self.certificate = str(folder / "server.crt")
@@ -74,17 +62,28 @@ class Orthanc:
             "DicomAlwaysAllowFind": True,
             "DicomAlwaysAllowGet": True,
             "DicomAlwaysAllowMove": True,
-            "DicomModalities": {"us": ["VARIMARCH", "127.0.0.1", self.back]},
+            "DicomModalities": {
+                "us": {
+                    "AET": "VARIMARCH",
+                    "Host": "127.0.0.1",
+                    "Port": self.back,
+                    "UseDicomTls": secure,
+                }
+            },
             "DicomWeb": {"Enable": True, "Root": "/dicom-web/"},
         }
         if secure:
             make_certificate(folder)
+            (folder / "us").mkdir()
+            ours = make_certificate(folder / "us")
+            trusted = folder / "trusted.crt"
+            trusted.write_text(pathlib.Path(ours).read_text())
             settings |= {
                 "DicomTlsEnabled": True,
                 "DicomTlsCertificate": self.certificate,
                 "DicomTlsPrivateKey": str(folder / "server.key"),
-                "DicomTlsTrustedCertificates": self.certificate,
-                "DicomTlsRemoteCertificateRequired": False,
+                "DicomTlsTrustedCertificates": str(trusted),
+                "DicomTlsRemoteCertificateRequired": asks_us,
             }
         (folder / "orthanc.json").write_text(json.dumps(settings))
         self.log = (folder / "log").open("w")
@@ -296,6 +295,27 @@ def secure(folder):
         unknown = run("check", dicoms, "--certificate", stranger(folder), fails_with=1)
         assert dicoms in unknown and unknown.count("\n") == 0, unknown
         assert "certificate" in run("check", dicoms, fails_with=2)
+
+
+def secure_move(folder):
+    """An archive that knows its clients by certificates sends by C-MOVE over TLS."""
+    with Orthanc(folder, secure=True, asks_us=True) as orthanc:
+        dicoms = orthanc.dimse().replace("dicom:", "dicoms:")
+        archive = [dicoms, "--certificate", orthanc.certificate]
+        own = ["--own-certificate", folder / "us" / "own.pem"]
+        run("check", *archive, fails_with=1)
+        run("send", *archive, *own, *write_phantom(folder))
+        fetch = ["--study", STUDY, "--move", orthanc.back]
+        run("get", *archive, *own, *fetch, "-o", folder / "moved")
+        check_fetched(folder / "moved")
+        none = run("get", *archive, *fetch, "-o", folder / "none", fails_with=2)
+        assert "our own certificate for encrypted C-MOVE" in none, none
+        certificate, key = (pathlib.Path(path).read_text() for path in
+            (stranger(folder), folder / "us" / "server.key"))
+        (folder / "mixed.pem").write_text(certificate + key)
+        mixed = ["--own-certificate", folder / "mixed.pem"]
+        unfit = run("get", *archive, *mixed, *fetch, "-o", folder / "none", fails_with=1)
+        assert "do not fit each other" in unfit and unfit.count("\n") == 0, unfit
 
 
 def secure_web(folder):

@@ -280,3 +280,19 @@ TEST_F(ArchiveOnScreen, IsTriedOutInTheForm)
   EXPECT_TRUE(
     QTest::qWaitFor([&] { return status->text() == "The archive answers."; }, MostMilliseconds));
 }
+
+TEST_F(ArchiveOnScreen, KeepsItsCertificates)
+{
+  NamedArchive archive;
+  archive.name = "clinic";
+  archive.address.url = "dicoms://CLINIC@pacs.example:2762";
+  archive.address.certificate = "clinic.pem";
+  archive.address.ownCertificate = "us.pem";
+  QVector<NamedArchive> archives;
+  archives.append(archive);
+  KeepArchives(archives);
+  const ArchiveAddress kept = ArchiveForm(KeptArchives().first(), nullptr).Edited().address;
+  EXPECT_EQ(kept.url, archive.address.url);
+  EXPECT_EQ(kept.certificate, "clinic.pem");
+  EXPECT_EQ(kept.ownCertificate, "us.pem");
+}

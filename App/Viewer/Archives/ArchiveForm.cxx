@@ -47,6 +47,7 @@ ArchiveForm::ArchiveForm(const NamedArchive& archive, QWidget* parent)
   , url(Named(new QLineEdit, "url"))
   , user(Named(new QLineEdit, "user"))
   , certificate(Named(new QLineEdit, "certificate"))
+  , ownCertificate(Named(new QLineEdit, "ownCertificate"))
   , rows(new QFormLayout)
   , status(Named(new QLabel, "status"))
 {
@@ -84,6 +85,10 @@ void ArchiveForm::MakeRows(QFormLayout* form)
   this->user->setPlaceholderText(tr("none"));
   this->user->setToolTip(tr("The password is asked for when it is needed, and is not kept"));
   this->certificate->setPlaceholderText(tr("file in PEM; none for a known authority"));
+  this->ownCertificate->setPlaceholderText(tr("none"));
+  this->ownCertificate->setToolTip(
+    tr("A file in PEM with our certificate and its private key without a password, if the archive "
+       "asks for it; encrypted C-MOVE needs it"));
   form->addRow(tr("Name"), this->name);
   form->addRow(tr("Protocol"), this->kind);
   form->addRow(tr("URL"), this->url);
@@ -95,6 +100,7 @@ void ArchiveForm::MakeRows(QFormLayout* form)
   form->addRow(QString(), this->encrypted);
   form->addRow(tr("User"), this->user);
   form->addRow(tr("Certificate"), this->certificate);
+  form->addRow(tr("Our certificate"), this->ownCertificate);
 }
 
 void ArchiveForm::Show(const NamedArchive& archive)
@@ -112,6 +118,7 @@ void ArchiveForm::Show(const NamedArchive& archive)
   this->encrypted->setChecked(address.scheme() == "dicoms");
   this->user->setText(QString::fromStdString(archive.address.user));
   this->certificate->setText(QString::fromStdString(archive.address.certificate));
+  this->ownCertificate->setText(QString::fromStdString(archive.address.ownCertificate));
   this->ShowRows();
 }
 
@@ -136,10 +143,10 @@ void ArchiveForm::ShowRows()
   {
     show(field, isWeb);
   }
-  for (QWidget* const field :
-    { static_cast<QWidget*>(this->host), static_cast<QWidget*>(this->port),
-      static_cast<QWidget*>(this->title), static_cast<QWidget*>(this->ownTitle),
-      static_cast<QWidget*>(this->returnPort), static_cast<QWidget*>(this->encrypted) })
+  for (QWidget* const field : { static_cast<QWidget*>(this->host),
+         static_cast<QWidget*>(this->port), static_cast<QWidget*>(this->title),
+         static_cast<QWidget*>(this->ownTitle), static_cast<QWidget*>(this->returnPort),
+         static_cast<QWidget*>(this->encrypted), static_cast<QWidget*>(this->ownCertificate) })
   {
     show(field, !isWeb);
   }
@@ -164,6 +171,7 @@ NamedArchive ArchiveForm::Edited() const
   archive.address.url = address.toString(QUrl::FullyEncoded).toStdString();
   archive.address.ownTitle = this->ownTitle->text().trimmed().toStdString();
   archive.address.returnPort = this->returnPort->value();
+  archive.address.ownCertificate = this->ownCertificate->text().trimmed().toStdString();
   return archive;
 }
 

@@ -47,6 +47,7 @@ private:
   QLineEdit* url;
   QLineEdit* user;
   QLineEdit* certificate;
+  QLineEdit* ownCertificate;
   QFormLayout* rows;
   QLabel* status;
 };

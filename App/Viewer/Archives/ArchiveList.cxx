@@ -29,6 +29,7 @@ QVector<NamedArchive> KeptArchives()
     archive.address.url = text("url");
     archive.address.ownTitle = text("ownTitle");
     archive.address.certificate = text("certificate");
+    archive.address.ownCertificate = text("ownCertificate");
     archive.address.returnPort = settings.value("returnPort").toInt();
     archive.address.user = text("user");
     archives.append(archive);
@@ -49,6 +50,7 @@ void KeepArchives(const QVector<NamedArchive>& archives)
     settings.setValue("url", QString::fromStdString(address.url));
     settings.setValue("ownTitle", QString::fromStdString(address.ownTitle));
     settings.setValue("certificate", QString::fromStdString(address.certificate));
+    settings.setValue("ownCertificate", QString::fromStdString(address.ownCertificate));
     settings.setValue("returnPort", address.returnPort);
     settings.setValue("user", QString::fromStdString(address.user));
   }

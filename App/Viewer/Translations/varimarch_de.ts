@@ -930,6 +930,14 @@ Masken nicht unterstützt</translation>
 <context>
     <name>varimarch::ArchiveForm</name>
     <message>
+        <source>A file in PEM with our certificate and its private key without a password, if the archive asks for it; encrypted C-MOVE needs it</source>
+        <translation>Eine PEM-Datei mit unserem Zertifikat und dessen privatem Schlüssel ohne Passwort, falls das Archiv danach fragt; verschlüsseltes C-MOVE braucht sie</translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation>Unser Zertifikat</translation>
+    </message>
+    <message>
         <source>Encrypted (TLS)</source>
         <translation>Verschlüsselt (TLS)</translation>
     </message>

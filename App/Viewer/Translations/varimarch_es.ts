@@ -930,6 +930,14 @@ no admite máscaras</translation>
 <context>
     <name>varimarch::ArchiveForm</name>
     <message>
+        <source>A file in PEM with our certificate and its private key without a password, if the archive asks for it; encrypted C-MOVE needs it</source>
+        <translation>Un fichero PEM con nuestro certificado y su clave privada sin contraseña, si el archivo lo pide; C-MOVE cifrado lo necesita</translation>
+    </message>
+    <message>
+        <source>Our certificate</source>
+        <translation>Nuestro certificado</translation>
+    </message>
+    <message>
         <source>Encrypted (TLS)</source>
         <translation>Cifrado (TLS)</translation>
     </message>
