@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace varimarch;
 
 namespace
@@ -13,12 +16,15 @@ constexpr double AllocatedSeconds = 1.0 / 15.0;
 const QSize Screen(3840, 2160);
 
 // Draws images of a view on a machine that needs a time for each pixel.
-QSize After(MovingImageSize& size, const QSize& wanted, int images, double secondsPerPixel)
+QSize After(MovingImageSize& size, const QSize& wanted, int images, double secondsPerPixel,
+  double raysPerImage = 1e9)
 {
   for (int i = 0; i < images; ++i)
   {
     const QSize drawn = size.Of(wanted);
-    size.Took(wanted, secondsPerPixel * drawn.width() * drawn.height(), AllocatedSeconds);
+    const double pixels = double(drawn.width()) * drawn.height();
+    const double rayDistance = std::max(std::sqrt(pixels / raysPerImage), 1.0);
+    size.Took(wanted, secondsPerPixel * pixels, rayDistance, AllocatedSeconds);
   }
   return size.Of(wanted);
 }
@@ -53,12 +59,26 @@ TEST(MovingImageSize, GrowsWhenThereIsTimeToSpare)
   EXPECT_EQ(After(size, Screen, 10, 2e-9), Screen / 2);
 }
 
+TEST(MovingImageSize, ShrinksUntilItsRaysAreClose)
+{
+  constexpr double SecondsPerPixel = 1e-9;
+  MovingImageSize size;
+  EXPECT_EQ(After(size, Screen, 10, SecondsPerPixel, 2e5), Screen / 4);
+  const QSize found = After(size, Screen, 10, SecondsPerPixel, 6e5);
+  EXPECT_EQ(found, Screen / 3);
+  for (int i = 0; i < 20; ++i)
+  {
+    EXPECT_EQ(After(size, Screen, 1, SecondsPerPixel, 6e5), found) << "it flickers";
+  }
+  EXPECT_EQ(After(size, Screen, 10, SecondsPerPixel), Screen / 2) << "there is time for all rays";
+}
+
 TEST(MovingImageSize, LeavesTheRestOfTheTimeToTheRays)
 {
   MovingImageSize size;
   EXPECT_EQ(size.SecondsForRays(AllocatedSeconds), AllocatedSeconds);
-  size.Took(Screen, 0.01, AllocatedSeconds);
+  size.Took(Screen, 0.01, 1.0, AllocatedSeconds);
   EXPECT_DOUBLE_EQ(size.SecondsForRays(AllocatedSeconds), AllocatedSeconds - 0.01);
-  size.Took(Screen, 10.0, AllocatedSeconds);
+  size.Took(Screen, 10.0, 1.0, AllocatedSeconds);
   EXPECT_DOUBLE_EQ(size.SecondsForRays(AllocatedSeconds), 0.5 * AllocatedSeconds);
 }

@@ -1,8 +1,10 @@
-// Measures how many images a second a window shows while the mouse turns the volume.
+// Measures how many images a second a window shows while the mouse turns the volume, and how long
+// its event loop waits meanwhile.
 //
 // Usage: ViewerTurnSpeed [--layout large|equal|alone] [--seconds NUMBER] [FILE], on a display that
 // the window fills. Without a file, it turns a torso of 256 x 224 x 160 voxels.
 
+#include "LoopGaps.h"
 #include "PrivateSettings.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"
@@ -22,6 +24,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -121,7 +124,7 @@ void Arrange(MainWindow& window, const QString& layout)
 }
 
 // Moves the mouse a little every 10 ms, as a hand does.
-void Turn(VolumeView* view, ShownImages& images, double seconds)
+void Turn(VolumeView* view, ShownImages& images, std::optional<LoopGaps>& gaps, double seconds)
 {
   const QPoint middle = view->rect().center();
   QTest::mousePress(view, Qt::LeftButton, {}, middle);
@@ -136,6 +139,7 @@ void Turn(VolumeView* view, ShownImages& images, double seconds)
     {
       isWarm = true;
       images.Forget();
+      gaps.emplace();
     }
     const QPointF place = middle + QPoint(step % 200 < 100 ? step % 100 : 100 - step % 100, 0);
     QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, Qt::LeftButton, {});
@@ -157,7 +161,8 @@ int Run(const QCommandLineParser& options)
   Open(window, options.positionalArguments().value(0));
   Arrange(window, options.value("layout"));
   ShownImages images(view);
-  Turn(view, images, options.value("seconds").toDouble());
+  std::optional<LoopGaps> gaps;
+  Turn(view, images, gaps, options.value("seconds").toDouble());
   const std::vector<double> pauses = images.Pauses();
   if (pauses.empty())
   {
@@ -170,7 +175,8 @@ int Run(const QCommandLineParser& options)
             << ", view " << print(view->size() * ratio) << ", images while turning "
             << print(view->PicturePixels()) << ", " << images.Count() << " images, median "
             << 1.0 / pauses[pauses.size() / 2] << " and slowest " << 1.0 / pauses.back()
-            << " images a second\n";
+            << " images a second; the event loop waited for at most " << gaps->LongestMilliseconds()
+            << " ms, its thread worked for at most " << gaps->MostWorkMilliseconds() << " ms\n";
   QTest::mouseRelease(view, Qt::LeftButton, {}, view->rect().center());
   return 0;
 }

@@ -18,6 +18,11 @@ constexpr double Most = 0.4;
 constexpr double Spare = 0.2;
 constexpr double Smallest = 0.5;
 
+// Distances between rays [pixels of the image]: the most that an image is to have, and the limit
+// for a finer one, whose rays are at most twice as far apart.
+constexpr double MostRayDistance = 2.05;
+constexpr double SpareRayDistance = 1.0;
+
 double PixelsOf(const QSize& size, int divisor)
 {
   return double(size.width()) * size.height() / (divisor * divisor);
@@ -45,16 +50,17 @@ QSize MovingImageSize::Of(const QSize& wanted) const
   return { std::max(wanted.width() / used, 1), std::max(wanted.height() / used, 1) };
 }
 
-void MovingImageSize::Took(const QSize& wanted, double seconds, double allocatedSeconds)
+void MovingImageSize::Took(
+  const QSize& wanted, double seconds, double rayDistance, double allocatedSeconds)
 {
   const int used = this->DivisorFor(wanted);
   this->otherSeconds = seconds;
   const double finer = used > 1 ? double(used * used) / ((used - 1) * (used - 1)) : 1.0;
-  if (seconds > Most * allocatedSeconds)
+  if (seconds > Most * allocatedSeconds || rayDistance > MostRayDistance)
   {
     this->divisor = std::min(used + 1, CoarsestDivisor);
   }
-  else if (seconds * finer < Spare * allocatedSeconds)
+  else if (seconds * finer < Spare * allocatedSeconds && rayDistance <= SpareRayDistance)
   {
     this->divisor = std::max(used - 1, 1);
   }

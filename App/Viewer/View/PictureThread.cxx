@@ -155,8 +155,9 @@ std::optional<ThreadPicture> ThreadView::Draw(Order order, const std::function<b
   if (isMoving && isFamiliar)
   {
     const double secondsOfAll = 1e-9 * double(timer.nsecsElapsed());
-    this->moving.Took(
-      wanted.pixels, secondsOfAll - MapperOf(*this->view)->GetTimeToDraw(), allocatedSeconds);
+    vtkVariationFieldVolumeMapper* const mapper = MapperOf(*this->view);
+    this->moving.Took(wanted.pixels, secondsOfAll - mapper->GetTimeToDraw(),
+      mapper->GetUsedImageSampleDistance(), allocatedSeconds);
   }
   return picture;
 }
