@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableWidget>
 
 #include <vtkCamera.h>
@@ -123,34 +124,59 @@ TEST_F(Measures, ChangeTheirValuesWithTheTimeWhileANameIsTyped)
   EXPECT_TRUE(line->isVisible());
 }
 
+// The number of pixels with a colour in an image of measurements, which is seen from the front.
+int PixelsOf(const std::vector<Measure>& measures, const Study& study, const QColor& color,
+  bool hasTexts = true)
+{
+  Scene scene;
+  scene.measures = measures;
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0.0, -500.0, 0.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  QImage image(400, 300, QImage::Format_RGB32);
+  image.fill(Qt::black);
+  QPainter painter(&image);
+  MeasureTexts texts(scene, study);
+  if (!hasTexts)
+  {
+    texts.labels.replaceInStrings(QRegularExpression(".*"), QString());
+  }
+  DrawMeasures(painter, { scene, texts, study.volume.image }, FrameOf(camera, image.size()),
+    { [](const auto&) { return true; }, [](const auto&) { return false; } });
+  painter.end();
+  int pixels = 0;
+  for (int i = 0; i < 400 * 300; ++i)
+  {
+    pixels += image.pixelColor(i % 400, i / 400) == color ? 1 : 0;
+  }
+  return pixels;
+}
+
 // Overlapping labels would share pixels.
 TEST_F(Measures, HaveLabelsThatDoNotOverlap)
 {
   const auto labelPixels = [this](int count)
   {
-    Scene scene;
-    scene.measures.assign(
-      std::size_t(count), { MeasureKind::Distance, { { 0, 0, 0 }, { 10, 0, 0 } }, "aorta" });
-    const Study& study = *this->model.CurrentStudy();
-    vtkNew<vtkCamera> camera;
-    camera->SetPosition(0.0, -500.0, 0.0);
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    QImage image(400, 300, QImage::Format_RGB32);
-    image.fill(Qt::black);
-    QPainter painter(&image);
-    DrawMeasures(painter, { scene, MeasureTexts(scene, study), study.volume.image },
-      FrameOf(camera, image.size()),
-      { [](const auto&) { return true; }, [](const auto&) { return false; } });
-    painter.end();
-    int pixels = 0;
-    for (int i = 0; i < 400 * 300; ++i)
-    {
-      pixels += image.pixelColor(i % 400, i / 400) == QColor(235, 235, 235) ? 1 : 0;
-    }
-    return pixels;
+    const Measure measure = { MeasureKind::Distance, { { 0, 0, 0 }, { 10, 0, 0 } }, "aorta" };
+    const std::vector<Measure> measures(std::size_t(count), measure);
+    return PixelsOf(measures, *this->model.CurrentStudy(), QColor(235, 235, 235));
   };
   EXPECT_GT(labelPixels(1), 20);
   EXPECT_NEAR(labelPixels(3), 3 * labelPixels(1), 6) << "but for pixels on the line";
+}
+
+TEST_F(Measures, HaveLabelsThatDoNotCoverThemAtAnEdge)
+{
+  const auto markPixels = [this](double x, bool hasTexts)
+  {
+    const Measure measure = { MeasureKind::Distance, { { x, 0, 0 }, { x + 30, 0, -10 } } };
+    return PixelsOf({ measure }, *this->model.CurrentStudy(), QColor(255, 210, 80), hasTexts);
+  };
+  for (const double x : { -100.0, 0.0, 120.0 })
+  {
+    EXPECT_GT(markPixels(x, false), 40) << x;
+    EXPECT_EQ(markPixels(x, true), markPixels(x, false)) << x;
+  }
 }
 
 TEST_F(Measures, AreRenamedRemovedAndRestored)

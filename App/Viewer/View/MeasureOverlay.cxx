@@ -61,6 +61,7 @@ private:
   void DrawArrowHead(const QLineF& arrow);
   void DrawHandles(const Measure& measure);
   void AddLabel(const Measure& measure, const QString& text);
+  double LeftOf(const Measure& measure, double left) const;
   Qt::PenStyle StyleOf(const std::vector<glm::dvec3>& line) const;
   std::optional<QPointF> PixelOf(const glm::dvec3& point) const
   {
@@ -201,11 +202,29 @@ void MeasurePainter::AddLabel(const Measure& measure, const QString& text)
     return;
   }
   const QSizeF size = this->painter.boundingRect(QRectF(0, 0, 1000, 1000), 0, text).size();
-  const QPointF corner = *beside + QPointF(8.0, -size.height() - 4.0);
+  constexpr double Gap = 8.0;
+  QPointF corner = *beside + QPointF(Gap, -size.height() - 4.0);
+  if (corner.x() + size.width() > this->frame.size.width())
+  {
+    corner.setX(this->LeftOf(measure, beside->x()) - Gap - size.width());
+  }
   if (const std::optional<QRectF> place = this->places.Take(QRectF(corner, size)))
   {
     this->labels.push_back({ *place, *beside, text });
   }
+}
+
+// The left end of what may be dragged of a measurement.
+double MeasurePainter::LeftOf(const Measure& measure, double left) const
+{
+  for (std::size_t i = 0; i < HandleCount(measure); ++i)
+  {
+    if (const std::optional<QPointF> pixel = this->frame.pixelOf(measure.pointsMm[i]))
+    {
+      left = std::min(left, pixel->x());
+    }
+  }
+  return left;
 }
 
 // A label far from its measurement is connected to it.
