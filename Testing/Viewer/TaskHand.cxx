@@ -44,7 +44,7 @@ void AcceptName(QWidget* dialog, const QString& path)
 
 void Await(const std::function<bool()>& isDone, const char* what)
 {
-  constexpr int MostMilliseconds = 180000;
+  constexpr int MostMilliseconds = 600000; // others may want the machine too
   if (!QTest::qWaitFor(isDone, MostMilliseconds))
   {
     throw std::runtime_error(what);
@@ -53,10 +53,13 @@ void Await(const std::function<bool()>& isDone, const char* what)
 
 void AwaitPictures(varimarch::MainWindow& window)
 {
-  QTest::qWait(500); // until the last change is drawn
   auto* const mapper =
     vtkVariationFieldVolumeMapper::SafeDownCast(window.CentralView()->Ours()->Pipeline()->Mapper());
-  Await([&] { return mapper->GetAccumulatedPictures() > 0; }, "the volume is not drawn");
+  for (int wait = 0; wait < 3; ++wait)
+  {
+    QTest::qWait(500); // on a busy machine a change is drawn in the second one
+    Await([&] { return mapper->GetAccumulatedPictures() > 0; }, "the volume is not drawn");
+  }
   const auto* const presets =
     window.findChild<varimarch::PresetGallery*>()->findChild<QListWidget*>();
   const auto keys = [presets]

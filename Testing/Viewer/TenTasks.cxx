@@ -163,9 +163,9 @@ public:
     this->hand.Click(dialog->findChild<QCheckBox*>("identity"), { 8, 8 });
     this->hand.Click(dialog->findChild<QPushButton*>("sendImage"));
     Await([&] { return this->server.lastBody.contains("DICM"); }, "the archive got nothing");
-    auto* const status = dialog->findChild<QLabel*>("status");
-    const QString sending = status->text();
-    Await([&] { return status->text() != sending; }, "the answer is not shown");
+    const auto* const status = dialog->findChild<QLabel*>("status");
+    Await([&] { return status->text() == SendDialog::tr("The archive has stored the image."); },
+      "the image is not stored");
     this->Take("send-dialog", dialog);
     this->Finish("send", "Send to PACS");
   }
