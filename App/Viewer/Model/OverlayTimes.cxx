@@ -1,8 +1,5 @@
 #include "Viewer/Model/OverlayTimes.h"
 
-#include "Scene/SceneVolumes.h"
-#include "Viewer/Model/MemoryLimit.h"
-
 #include <iterator>
 
 namespace varimarch
@@ -68,13 +65,13 @@ std::optional<int> OverlayTimes::NextToRead() const
   return std::nullopt;
 }
 
-std::shared_ptr<TimeReader> OverlayTimes::ReaderOf(int volume)
+std::shared_ptr<SizedTimes> OverlayTimes::ReaderOf(int volume)
 {
-  std::shared_ptr<TimeReader>& reader = this->readers[this->model->StudyOf(volume)->labelGuard];
+  const auto study = this->model->StudyOf(volume);
+  std::shared_ptr<SizedTimes>& reader = this->readers[study->labelGuard];
   if (!reader)
   {
-    const VolumeSource& source = VolumeSourceOf(this->model->CurrentScene(), volume);
-    reader = std::make_shared<TimeReader>(WithinMemory(std::get<FileSource>(source)));
+    reader = std::make_shared<SizedTimes>(this->model->CurrentScene(), volume, study->volume);
   }
   return reader;
 }
@@ -90,13 +87,8 @@ void OverlayTimes::ReadNext()
   const auto study = this->model->StudyOf(*volume);
   const auto found = std::make_shared<LoadedVolume>();
   this->last = { study->labelGuard, time };
-  this->task.Start(
-    [found, time, size = SizeOfVolume(study->volume), source = this->ReaderOf(*volume)](
-      const TaskProgress& progress)
-    {
-      *found = source->Read(time, progress);
-      CheckSizeOfTime(*found, size);
-    },
+  this->task.Start([found, time, source = this->ReaderOf(*volume)](const TaskProgress& progress)
+    { *found = source->Read(time, progress); },
     [this, found, study]
     {
       const std::optional<int> now = this->model->VolumeOf(*study);

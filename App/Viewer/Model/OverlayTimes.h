@@ -1,9 +1,9 @@
 #ifndef Varimarch_Viewer_OverlayTimes_h
 #define Varimarch_Viewer_OverlayTimes_h
 
-#include "Scene/VolumeLoading.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/SizedTimes.h"
 
 #include <QObject>
 #include <QTimer>
@@ -45,12 +45,12 @@ private:
   void Leave(const QString& reason);
   /// The number of a volume that shows another time than it should; empty if there is none.
   std::optional<int> NextToRead() const;
-  std::shared_ptr<TimeReader> ReaderOf(int volume);
+  std::shared_ptr<SizedTimes> ReaderOf(int volume);
 
   SceneModel* model;
   BackgroundTask task;
   QTimer reading; ///< waits until everyone knows the change of the model
-  std::map<Volume, std::shared_ptr<TimeReader>> readers;
+  std::map<Volume, std::shared_ptr<SizedTimes>> readers;
   std::set<std::pair<Volume, int>> failed; ///< times that cannot be read
   std::pair<Volume, int> last;             ///< the time that the task reads, or read last
 };

@@ -12,34 +12,6 @@
 namespace varimarch
 {
 
-namespace
-{
-
-std::string SizeText(const VolumeSize& size)
-{
-  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-    std::to_string(size[2]) + " voxels of " + std::to_string(size[3]) + " components";
-}
-
-}
-
-VolumeSize SizeOfVolume(const LoadedVolume& volume)
-{
-  const int* const sides = volume.image->GetDimensions();
-  return { sides[0], sides[1], sides[2], volume.image->GetNumberOfScalarComponents() };
-}
-
-void CheckSizeOfTime(const LoadedVolume& ofTime, const VolumeSize& expected)
-{
-  const VolumeSize found = SizeOfVolume(ofTime);
-  if (found != expected)
-  {
-    throw std::runtime_error("Cannot show the time of number " +
-      std::to_string(ofTime.times.current) + ", counted from 0: expected " + SizeText(expected) +
-      " as at the other times, found " + SizeText(found));
-  }
-}
-
 std::shared_ptr<const Study> WithLabels(const Study& scan, LabelMap labels)
 {
   Study labelled = scan;

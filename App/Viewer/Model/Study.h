@@ -8,7 +8,6 @@
 #include "Scene/SegmentStatistics.h"
 #include "Scene/VolumeLoading.h"
 
-#include <array>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -42,15 +41,6 @@ struct Study
   /// Counts of all times of the volume; null until they have been read, and for a single time.
   std::shared_ptr<const ImageStatistics> allTimes = {};
 };
-
-/// Voxels along each axis, and components of each.
-using VolumeSize = std::array<int, 4>;
-
-VolumeSize SizeOfVolume(const LoadedVolume& volume);
-
-/// Checks that a time has the size of the others, since labels, cuts and masks lie on their grid.
-/// @throws std::runtime_error with one sentence if it does not
-void CheckSizeOfTime(const LoadedVolume& ofTime, const VolumeSize& expected);
 
 /// The same study at another time of its volume, which has the same size. Segments are not counted
 /// anew.

@@ -1,7 +1,6 @@
 #include "Viewer/Model/StudyTimes.h"
 
 #include "Scene/SceneVolumes.h"
-#include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <stdexcept>
@@ -17,8 +16,7 @@ StudyTimes::StudyTimes(const Scene& scene, std::shared_ptr<const Study> study)
   {
     const Study& one = StudyOfVolume(*this->study, volume);
     this->readers.push_back(FollowsTimes(*this->study, one)
-        ? std::make_unique<TimeReader>(
-            WithinMemory(std::get<FileSource>(VolumeSourceOf(scene, volume))))
+        ? std::make_unique<SizedTimes>(scene, volume, one.volume)
         : nullptr);
   }
 }
@@ -55,7 +53,6 @@ void StudyTimes::ReadVolume(int volume, int time, const LoadObserver& observer)
   if (this->readers[volume] && one.volume.times.current != time)
   {
     const LoadedVolume ofTime = this->readers[volume]->Read(time, observer);
-    CheckSizeOfTime(ofTime, SizeOfVolume(one.volume));
     this->study = WithVolume(*this->study, volume, AtTime(one, ofTime));
   }
 }

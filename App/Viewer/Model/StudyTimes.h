@@ -1,6 +1,7 @@
 #ifndef Varimarch_Viewer_StudyTimes_h
 #define Varimarch_Viewer_StudyTimes_h
 
+#include "Viewer/Model/SizedTimes.h"
 #include "Viewer/Model/Study.h"
 
 #include <memory>
@@ -35,7 +36,7 @@ private:
 
   std::string problem;
   std::shared_ptr<const Study> study;               ///< at the time that was read last
-  std::vector<std::unique_ptr<TimeReader>> readers; ///< one per volume; null if it stays
+  std::vector<std::unique_ptr<SizedTimes>> readers; ///< one per volume; null if it stays
 };
 
 /// The study of a model at the time that its scene names, for images and numbers in files: the

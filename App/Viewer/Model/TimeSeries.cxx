@@ -1,7 +1,5 @@
 #include "Viewer/Model/TimeSeries.h"
 
-#include "Viewer/Model/MemoryLimit.h"
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -90,8 +88,7 @@ void TimeSeries::Begin()
   const LoadedTimes& times = study->volume.times;
   if (times.AreSeveral())
   {
-    this->reader = std::make_shared<TimeReader>(
-      WithinMemory(std::get<FileSource>(this->model->CurrentScene().volume)));
+    this->reader = std::make_shared<SizedTimes>(this->model->CurrentScene(), 0, study->volume);
     this->kept.emplace(times.current, study->volume);
     this->sum = study->allTimes;
   }
@@ -169,15 +166,13 @@ void TimeSeries::ReadNext()
   }
   const int time = *next;
   const LoadedVolume& shown = this->model->CurrentStudy()->volume;
-  const VolumeSize size = SizeOfVolume(shown);
   const bool counts = this->counted.count(time) == 0 && !shown.isOnDisk && !this->AreCounted();
   const auto found = std::make_shared<Found>();
   this->reading = time;
   this->task.Start(
-    [found, time, size, counts, source = this->reader](const TaskProgress& progress)
+    [found, time, counts, source = this->reader](const TaskProgress& progress)
     {
       found->volume = source->Read(time, progress);
-      CheckSizeOfTime(found->volume, size);
       if (counts)
       {
         found->statistics.emplace(found->volume.image);

@@ -1,10 +1,10 @@
 #ifndef Varimarch_Viewer_TimeSeries_h
 #define Varimarch_Viewer_TimeSeries_h
 
-#include "Scene/VolumeLoading.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/OverlayTimes.h"
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/SizedTimes.h"
 
 #include <QObject>
 #include <QTimer>
@@ -71,7 +71,7 @@ private:
   BackgroundTask task;
   QTimer showing; ///< waits until everyone knows the change of the model
   std::uint64_t mostBytes = MostBytes;
-  std::shared_ptr<TimeReader> reader; ///< null for a scan with a single time
+  std::shared_ptr<SizedTimes> reader; ///< null for a scan with a single time
   std::map<int, LoadedVolume> kept;
   std::set<int> counted;
   std::set<int> failed;
