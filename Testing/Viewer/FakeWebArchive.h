@@ -69,12 +69,12 @@ private:
   QMap<QTcpSocket*, QByteArray> pending;
 };
 
-/// Makes the server the only archive of the user, under the name "hospital".
-inline void KeepAsHospital(const FakeWebArchive& server)
+/// Makes an archive the only one of the user, under the name "hospital".
+inline void KeepAsHospital(const QString& url)
 {
   varimarch::NamedArchive archive;
   archive.name = "hospital";
-  archive.address.url = server.Url().toStdString();
+  archive.address.url = url.toStdString();
   // GCC 12 wrongly warns of a vector of one made in place.
   QVector<varimarch::NamedArchive> archives;
   archives.append(archive);

@@ -58,7 +58,7 @@ public:
     : folder(folder)
     , head(head)
   {
-    KeepAsHospital(this->server);
+    KeepAsHospital(this->server.Url());
     this->server.Answer("/studies", "application/dicom+json", "{}");
   }
 

@@ -2,6 +2,7 @@
 
 #include "Answers.h"
 #include "Archive/Archive.h"
+#include "FakeDimseArchive.h"
 #include "FakeWebArchive.h"
 #include "Module/PhantomFiles.h"
 #include "Readers/PrivateFolder.h"
@@ -64,7 +65,7 @@ protected:
   ArchiveOnScreen()
   {
     QSettings().clear();
-    KeepAsHospital(this->server);
+    KeepAsHospital(this->server.Url());
     this->window = std::make_unique<ArchiveWindow>(nullptr);
     this->window->setAttribute(Qt::WA_DeleteOnClose, false);
     this->window->show();
@@ -279,6 +280,23 @@ TEST_F(ArchiveOnScreen, IsTriedOutInTheForm)
   auto* const status = form.findChild<QLabel*>("status");
   EXPECT_TRUE(
     QTest::qWaitFor([&] { return status->text() == "The archive answers."; }, MostMilliseconds));
+}
+
+// A name that is read in another set of characters is another name.
+TEST_F(ArchiveOnScreen, SaysThatANameCannotBeRead)
+{
+  const FakeDimseArchive dimse(FakeDimseArchive::Attribute(0x0008, 0x0005, "ISO_IR 999") +
+    FakeDimseArchive::Attribute(0x0010, 0x0010, "M\xfcller^Ute") +
+    FakeDimseArchive::Attribute(0x0020, 0x000d, "1.2.3"));
+  KeepAsHospital(dimse.Url());
+  ArchiveWindow asking(nullptr);
+  asking.setAttribute(Qt::WA_DeleteOnClose, false);
+  asking.findChild<QPushButton*>("search")->click();
+  const auto* const status = asking.findChild<QLabel*>("status");
+  ASSERT_TRUE(QTest::qWaitFor(
+    [&] { return status->text().startsWith("Studies: 1. Texts of 1 "); }, MostMilliseconds))
+    << status->text().toStdString();
+  EXPECT_EQ(asking.findChild<QTreeWidget*>()->topLevelItem(0)->text(0), "Unreadable name");
 }
 
 TEST_F(ArchiveOnScreen, KeepsItsCertificates)

@@ -30,7 +30,7 @@ protected:
   Sending()
   {
     QSettings().clear();
-    KeepAsHospital(this->server);
+    KeepAsHospital(this->server.Url());
     this->server.Answer("/studies", "application/dicom+json", "{}");
     this->window.show();
   }
