@@ -3,6 +3,8 @@
 
 #include "PhantomFiles.h"
 
+#include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,19 @@ enum class Hdf5Kind
 
 /// Writes a volume of shorts in chunks, with the size of a voxel where the kind has it.
 void WriteHdf5(const std::string& path, const StoredVolume& volume, Hdf5Kind kind);
+
+/// Voxels of shorts in chunks, some of which are not stored.
+struct SparseVolume
+{
+  std::array<int, 3> size; ///< voxels along x, y and z
+  std::array<int, 3> chunk;
+  int fill; ///< the value of voxels that are not stored
+  std::vector<short> voxels;
+  std::function<bool(const std::array<int, 3>& chunk)> isStored;
+};
+
+/// Writes a data set of HDF5 whose file lacks chunks.
+void WriteSparseHdf5(const std::string& path, const SparseVolume& volume);
 
 /// The description of an array of Zarr version 2 in one chunk, of shorts or else of unsigned ints.
 /// @param compressor  its entry in JSON

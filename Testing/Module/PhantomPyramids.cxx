@@ -96,6 +96,13 @@ void PutBigDataViewer(hid_t file, const StoredVolume& volume)
   H5Sclose(space);
 }
 
+using SizeOfHdf5 = std::array<hsize_t, 3>;
+
+SizeOfHdf5 SlowestFirst(const std::array<int, 3>& numbers)
+{
+  return { hsize_t(numbers[2]), hsize_t(numbers[1]), hsize_t(numbers[0]) };
+}
+
 }
 
 void WriteHdf5(const std::string& path, const StoredVolume& volume, Hdf5Kind kind)
@@ -113,6 +120,37 @@ void WriteHdf5(const std::string& path, const StoredVolume& volume, Hdf5Kind kin
       PutImaris(file, volume);
       break;
   }
+  H5Fclose(file);
+}
+
+void WriteSparseHdf5(const std::string& path, const SparseVolume& volume)
+{
+  const SizeOfHdf5 size = SlowestFirst(volume.size);
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(3, size.data(), nullptr);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(creation, 3, SlowestFirst(volume.chunk).data());
+  H5Pset_fill_value(creation, H5T_NATIVE_INT, &volume.fill);
+  const hid_t data =
+    H5Dcreate(file, "volume", H5T_STD_I16LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  for (int i = 0; i < volume.size[0] * volume.size[1] * volume.size[2]; ++i)
+  {
+    const std::array<int, 3> at = { i % volume.size[0], i / volume.size[0] % volume.size[1],
+      i / (volume.size[0] * volume.size[1]) };
+    const auto& chunk = volume.chunk;
+    const bool isFirst = at[0] % chunk[0] == 0 && at[1] % chunk[1] == 0 && at[2] % chunk[2] == 0;
+    if (isFirst && volume.isStored({ at[0] / chunk[0], at[1] / chunk[1], at[2] / chunk[2] }))
+    {
+      const SizeOfHdf5 count = SlowestFirst({ std::min(chunk[0], volume.size[0] - at[0]),
+        std::min(chunk[1], volume.size[1] - at[1]), std::min(chunk[2], volume.size[2] - at[2]) });
+      H5Sselect_hyperslab(
+        space, H5S_SELECT_SET, SlowestFirst(at).data(), nullptr, count.data(), nullptr);
+      H5Dwrite(data, H5T_NATIVE_SHORT, space, space, H5P_DEFAULT, volume.voxels.data());
+    }
+  }
+  H5Dclose(data);
+  H5Pclose(creation);
+  H5Sclose(space);
   H5Fclose(file);
 }
 

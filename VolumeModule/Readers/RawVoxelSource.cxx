@@ -54,6 +54,21 @@ void RawVoxelSource::ReadRun(std::uint64_t firstVoxel, std::uint64_t count, char
   }
 }
 
+BrickSource::Box RawVoxelSource::Occupied(const Box& box) const
+{
+  const auto& size = this->levels.front().dimensions;
+  const auto byteOf = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    return off_t(this->offset + std::uint64_t((z * size[1] + y) * size[0] + x) * this->valueBytes);
+  };
+  const off_t begin = byteOf(box.lower[0], box.lower[1], box.lower[2]);
+  const off_t end = byteOf(box.upper[0], box.upper[1] - 1, box.upper[2] - 1);
+  const off_t data = lseek(this->descriptor, begin, SEEK_DATA);
+  // There is no data behind a hole at the end of the file, nor behind the end.
+  const bool isInHole =
+    data < 0 ? errno == ENXIO && lseek(this->descriptor, 0, SEEK_END) >= end : data >= end;
+  return isInHole ? Box{ box.lower, box.lower } : box;
+}
+
 // Reads runs of voxels that are adjacent in the file: of slices if the box has whole ones, else of
 // rows.
 void RawVoxelSource::Read(int, const Box& box, void* voxels) const

@@ -26,6 +26,8 @@ public:
   const std::vector<Level>& Levels() const override { return this->levels; }
   VoxelType Type() const override { return this->type; }
   void Read(int level, const Box& box, void* voxels) const override;
+  /// Holes of a sparse file are not read.
+  Box Occupied(const Box& box) const override;
 
 private:
   void ReadRun(std::uint64_t firstVoxel, std::uint64_t count, char* voxels) const;

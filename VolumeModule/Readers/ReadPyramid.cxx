@@ -286,7 +286,7 @@ Volume ReadPyramid(const PyramidOrder& order, ReadProgress& progress)
   if (read.missingChunks > 0)
   {
     volume.warnings.push_back(std::to_string(read.missingChunks) +
-      " chunks are not in the folder; their voxels have the fill value of the array.");
+      " chunks are not stored; their voxels have the fill value of the array.");
   }
   PlaceImage(order.path, form.geometries[read.level], volume.image);
   return volume;

@@ -1,5 +1,7 @@
 #include "Core/Fields/EvenBricks.h"
 
+#include "Core/Fields/StepsUnion.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -31,15 +33,6 @@ std::vector<Span> SpansOf(const UnevenAxis& axis, int brickCount, double side)
       std::clamp(int(std::floor(upper / side)), 0, brickCount - 1) });
   }
   return spans;
-}
-
-BrickRanges::Steps Union(const BrickRanges::Steps& a, const BrickRanges::Steps& b)
-{
-  if (!a.IsFinite() || !b.IsFinite())
-  {
-    return { 1, 0 };
-  }
-  return { std::min(a.smallest, b.smallest), std::max(a.largest, b.largest) };
 }
 
 }

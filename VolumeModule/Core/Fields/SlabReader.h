@@ -28,88 +28,51 @@ inline glm::ivec3 VoxelCountOf(const BrickSource::Level& level)
   return { int(dimensions[0]), int(dimensions[1]), int(dimensions[2]) };
 }
 
-/// A part of the volume between planes of bricks, without the bricks around it of which nothing is
-/// stored.
-struct StoredSlab
+/// A box of voxels that are read together. It begins where bricks do.
+struct VoxelSlab
 {
-  glm::ivec3 first; ///< its first voxel, which begins a brick
-  glm::ivec3 count; ///< voxels along each axis, with those that the next slabs begin with
-  glm::ivec3 own;   ///< voxels without those
-
-  std::size_t Voxels() const
-  {
-    return std::size_t(this->count.x) * std::size_t(this->count.y) * std::size_t(this->count.z);
-  }
-
-  /// False for voxels at the end that belong to the cells of the slab before.
-  bool HasCells() const
-  {
-    bool has = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      has = has && (this->count[axis] > 1 || this->first[axis] == 0);
-    }
-    return has;
-  }
+  glm::ivec3 first; ///< its first voxel
+  glm::ivec3 count; ///< voxels along each axis
+  bool isStored;    ///< false if all its voxels have the fill value
 };
 
-/// Reads slabs on as many cores as there is memory for slabs. A core takes no other slab before it
-/// is done with one. Slabs have whole slices; where these are so large that slabs would be thinner
-/// than chunks, they are boxes of some chunks along each axis.
+/// Reads a volume in slabs, on as many cores as there is memory for slabs. A core takes no other
+/// slab before it is done with one. Each slab is some whole chunks, so that each chunk is read
+/// once, unless the memory is too small for them, or no few chunks are as large as whole bricks.
 template <class Scalar>
 class SlabReader
 {
 public:
+  /// @param mostBytes  voxels that are in memory at the same time [bytes]
   /// @param side  cells along each side of a brick
   SlabReader(const BrickSource& source, std::uint64_t mostBytes, int side)
     : source(source)
     , side(side)
     , voxels(VoxelCountOf(source.Levels().front()))
-    , extent(this->voxels)
   {
-    constexpr std::int64_t FewSlices = 16;
-    constexpr std::int64_t MostChunks = 4;
-    const auto& chunk = source.Levels().front().chunk;
+    constexpr std::int64_t Wanted = 1 << 21; // voxels for which a decoder is worth asking
     const auto threads = std::int64_t(tbb::this_task_arena::max_concurrency());
-    const auto most = std::int64_t(mostBytes / sizeof(Scalar)) / threads; // voxels of a slab
-    const std::int64_t slices = std::max(chunk[2], FewSlices);
-    std::int64_t chunks = MostChunks;
-    while (chunks > 1 && most < this->VoxelsOfChunks(chunk, chunks))
-    {
-      --chunks;
-    }
-    const std::int64_t ofSlice = std::int64_t(this->voxels.x) * this->voxels.y;
-    const bool areThin = chunk[2] > 1 && most / ofSlice - 1 < chunk[2];
-    if (areThin && most >= this->VoxelsOfChunks(chunk, chunks))
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->extent[axis] = this->Bricks(chunks * chunk[axis]);
-      }
-    }
-    else
-    {
-      this->extent.z = this->Bricks(std::min(slices, most / ofSlice - 1));
-    }
-    const glm::ivec3 read = glm::min(this->extent, this->voxels - 1) + 1;
-    const std::int64_t ofSlab = std::int64_t(read.x) * read.y * read.z;
-    this->slabsAtOnce =
-      int(std::clamp<std::int64_t>(std::int64_t(mostBytes / sizeof(Scalar)) / ofSlab, 1, threads));
+    const auto most = std::int64_t(mostBytes / sizeof(Scalar));
+    this->TakeWholeChunks();
+    this->Grow(std::min(Wanted, most / threads));
+    this->Shrink(most / threads);
+    const std::int64_t ofSlab = VoxelsOf(glm::min(this->extent, this->voxels));
+    this->slabsAtOnce = int(std::clamp<std::int64_t>(most / ofSlab, 1, threads));
   }
 
-  /// True if the slabs have all voxels.
+  /// True if the slabs that are stored have all voxels.
   bool HaveAll() const
   {
-    std::int64_t own = 0;
-    for (int i = 0; i < this->SlabCount(); ++i)
+    bool haveAll = true;
+    for (int i = 0; haveAll && i < this->SlabCount(); ++i)
     {
-      const glm::ivec3 count = this->SlabOf(i).own;
-      own += std::int64_t(count.x) * count.y * count.z;
+      haveAll = this->SlabOf(i).isStored;
     }
-    return own == std::int64_t(this->voxels.x) * this->voxels.y * this->voxels.z;
+    return haveAll;
   }
 
-  /// Calls take(slab, its voxels) for each slab, on several cores.
+  /// Calls take(slab, its voxels) for each slab, on several cores. There are no voxels for slabs
+  /// that are not stored.
   template <class Take>
   void ForEach(const std::function<void(double)>& report, Take take) const
   {
@@ -118,13 +81,13 @@ public:
     std::atomic<int> done = 0;
     const auto readOne = [&](int index)
     {
-      const StoredSlab slab = this->SlabOf(index);
-      if (slab.Voxels() > 0)
+      const VoxelSlab slab = this->SlabOf(index);
+      std::vector<Scalar> read(slab.isStored ? std::size_t(VoxelsOf(slab.count)) : 0);
+      if (slab.isStored)
       {
-        std::vector<Scalar> read(slab.Voxels());
         this->source.Read(0, BoxOf(slab), read.data());
-        tbb::this_task_arena::isolate([&] { take(slab, read); });
       }
+      tbb::this_task_arena::isolate([&] { take(slab, read); });
       const int doneNow = ++done;
       if (std::this_thread::get_id() == caller)
       {
@@ -136,66 +99,91 @@ public:
   }
 
 private:
-  /// The largest number of voxels, at most `most`, that whole bricks have; one brick at least.
-  int Bricks(std::int64_t most) const
+  static std::int64_t VoxelsOf(const glm::ivec3& size)
   {
-    return int(std::clamp<std::int64_t>(most / this->side, 1, (1 << 30) / this->side)) * this->side;
+    return std::int64_t(size.x) * size.y * size.z;
   }
 
-  /// The voxels of a box of some chunks along each axis, with those that the next one begins with.
-  std::int64_t VoxelsOfChunks(const std::array<std::int64_t, 3>& chunk, std::int64_t chunks) const
-  {
-    std::int64_t count = 1;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      count *= std::min<std::int64_t>(this->Bricks(chunks * chunk[axis]) + 1, this->voxels[axis]);
-    }
-    return count;
-  }
-
-  /// The number of slabs along each axis.
-  glm::ivec3 Counts() const { return (this->voxels - 1) / this->extent + 1; }
-  int SlabCount() const
-  {
-    const glm::ivec3 counts = this->Counts();
-    return counts.x * counts.y * counts.z;
-  }
-
-  static BrickSource::Box BoxOf(const StoredSlab& slab)
+  static BrickSource::Box BoxOf(const VoxelSlab& slab)
   {
     const glm::ivec3 behind = slab.first + slab.count;
     return { { slab.first.x, slab.first.y, slab.first.z }, { behind.x, behind.y, behind.z } };
   }
 
-  StoredSlab SlabOf(int index) const
+  /// A number of voxels, at least as many, that whole bricks have.
+  int Bricks(std::int64_t least) const
+  {
+    constexpr std::int64_t Most = 1 << 30;
+    return int((std::min(least, Most) + this->side - 1) / this->side) * this->side;
+  }
+
+  /// The fewest chunks that are whole bricks, or nearly.
+  void TakeWholeChunks()
+  {
+    constexpr std::int64_t MostChunks = 4;
+    const auto& chunk = this->source.Levels().front().chunk;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::int64_t wanted = chunk[axis];
+      while (wanted % this->side != 0 && wanted < MostChunks * chunk[axis])
+      {
+        wanted += chunk[axis];
+      }
+      this->extent[axis] = this->Bricks(std::min<std::int64_t>(wanted, this->voxels[axis]));
+    }
+  }
+
+  /// Takes more chunks, as long as there are no more than some voxels.
+  void Grow(std::int64_t most)
+  {
+    bool grows = true;
+    while (grows)
+    {
+      int axis = 0;
+      for (int other = 1; other < 3; ++other)
+      {
+        const bool isCovered = this->extent[axis] >= this->voxels[axis];
+        const bool isOpen = this->extent[other] < this->voxels[other];
+        axis = isOpen && (isCovered || this->extent[other] < this->extent[axis]) ? other : axis;
+      }
+      grows = this->extent[axis] < this->voxels[axis] && 2 * VoxelsOf(this->extent) <= most;
+      this->extent[axis] *= grows ? 2 : 1;
+    }
+  }
+
+  /// Takes thinner slabs until there are at most some voxels, but one brick at least.
+  void Shrink(std::int64_t most)
+  {
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const std::int64_t ofLayer = VoxelsOf(this->extent) / this->extent[axis];
+      const std::int64_t layers =
+        std::max<std::int64_t>(most / ofLayer / this->side, 1) * this->side;
+      this->extent[axis] = int(std::min<std::int64_t>(this->extent[axis], layers));
+    }
+  }
+
+  /// The number of slabs along each axis.
+  glm::ivec3 Counts() const { return (this->voxels - 1) / this->extent + 1; }
+  int SlabCount() const { return int(VoxelsOf(this->Counts())); }
+
+  VoxelSlab SlabOf(int index) const
   {
     const glm::ivec3 counts = this->Counts();
     const glm::ivec3 number(
       index % counts.x, index / counts.x % counts.y, index / counts.x / counts.y);
-    const glm::ivec3 first = number * this->extent;
-    const glm::ivec3 own = glm::min(this->extent, this->voxels - first);
-    StoredSlab slab = { first, glm::min(own + 1, this->voxels - first), own };
+    VoxelSlab slab = { number * this->extent, this->extent, true };
+    slab.count = glm::min(slab.count, this->voxels - slab.first);
     const BrickSource::Box stored = this->source.Occupied(BoxOf(slab));
-    const glm::ivec3 end = first + slab.count;
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      // A voxel between two bricks belongs to both.
-      const auto lower = int(stored.lower[axis]);
-      const auto upper = int(stored.upper[axis]);
-      slab.first[axis] = std::max(std::max(lower - 1, 0) / this->side * this->side, first[axis]);
-      const int behind =
-        std::min((upper - 1) / this->side * this->side + this->side + 1, end[axis]);
-      slab.count[axis] = lower < upper ? behind - slab.first[axis] : 0;
-      slab.own[axis] = std::clamp(first[axis] + own[axis] - slab.first[axis], 0, slab.count[axis]);
-    }
+    slab.isStored = stored.lower[0] < stored.upper[0];
     return slab;
   }
 
   const BrickSource& source;
   int side;
   glm::ivec3 voxels;
-  glm::ivec3 extent; ///< own voxels of a slab
-  int slabsAtOnce;
+  glm::ivec3 extent = glm::ivec3(1); ///< voxels of a slab along each axis, in whole bricks
+  int slabsAtOnce = 1;
 };
 
 }

@@ -1,5 +1,6 @@
 #include "Core/Fields/VolumeSummary.h"
 
+#include "Core/Fields/SlabRanges.h"
 #include "Core/Fields/SlabReader.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ Finite<Scalar> RangeOf(const SlabReader<Scalar>& slabs, [[maybe_unused]] double 
   {
     std::mutex mutex;
     slabs.ForEach(report,
-      [&](const StoredSlab&, const std::vector<Scalar>& voxels)
+      [&](const VoxelSlab&, const std::vector<Scalar>& voxels)
       {
         Finite<Scalar> ofSlab;
         std::for_each(voxels.begin(), voxels.end(), [&](Scalar value) { ofSlab.Add(value); });
@@ -68,50 +69,19 @@ Finite<Scalar> RangeOf(const SlabReader<Scalar>& slabs, [[maybe_unused]] double 
   return range;
 }
 
-// Gives all bricks and means the value of voxels that are not stored.
+// The range of a brick whose voxels all have one value.
 template <class Scalar>
-void Fill(double value, const Finite<Scalar>& range, VolumeSummary& summary)
+BrickRanges::Steps StepsOfFill(double value, const Finite<Scalar>& range)
 {
   const std::vector<Scalar> cell(8, Scalar(value));
   const ScalarGrid<Scalar> grid(cell.data(), glm::ivec3(2));
-  const BrickRanges::Steps steps =
-    BuildBrickRanges(grid, double(range.smallest), double(range.largest))[0];
-  if (steps.largest == 0 && cell.front() == Scalar(0))
-  {
-    return; // the memory is so already
-  }
-  const glm::ivec3 bricks = summary.ranges.BrickCount();
-  const std::size_t count = std::size_t(bricks.x) * bricks.y * std::size_t(bricks.z);
-  for (std::size_t brick = 0; brick < count; ++brick)
-  {
-    summary.ranges.Set(brick, steps);
-  }
-  auto* const means = reinterpret_cast<Scalar*>(summary.coarse.voxels.data());
-  std::fill_n(means, summary.coarse.voxels.size() / sizeof(Scalar), cell.front());
-}
-
-// Puts the ranges of a slab where they belong in those of the volume.
-void PutRanges(const BrickRanges& ofSlab, const StoredSlab& slab, BrickRanges& ranges)
-{
-  const glm::ivec3 count = ofSlab.BrickCount();
-  const glm::ivec3 all = ranges.BrickCount();
-  const glm::ivec3 first = slab.first / ranges.Side();
-  std::size_t brick = 0;
-  for (int row = 0; row < count.y * count.z; ++row)
-  {
-    const std::size_t place =
-      std::size_t(first.z + row / count.y) * all.y + first.y + row % count.y;
-    for (int x = 0; x < count.x; ++x, ++brick)
-    {
-      ranges.Set(place * all.x + first.x + x, ofSlab[brick]);
-    }
-  }
+  return BuildBrickRanges(grid, double(range.smallest), double(range.largest))[0];
 }
 
 // Only integers are counted.
 template <class Scalar>
-void Count(const StoredSlab& slab, const ScalarGrid<Scalar>& grid,
-  std::vector<std::int64_t>& counts, std::mutex& mutex)
+void Count(const VoxelSlab& slab, const ScalarGrid<Scalar>& grid, std::vector<std::int64_t>& counts,
+  std::mutex& mutex)
 {
   if constexpr (std::is_integral_v<Scalar>)
   {
@@ -119,10 +89,10 @@ void Count(const StoredSlab& slab, const ScalarGrid<Scalar>& grid,
     // fewer than 2^32 voxels.
     constexpr int Apart = 4;
     std::vector<std::uint32_t> few(Apart * counts.size());
-    for (int row = 0; row < slab.own.y * slab.own.z; ++row)
+    for (int row = 0; row < slab.count.y * slab.count.z; ++row)
     {
-      const Scalar* const voxels = grid.Row(row % slab.own.y, row / slab.own.y);
-      for (int x = 0; x < slab.own.x; ++x)
+      const Scalar* const voxels = grid.Row(row % slab.count.y, row / slab.count.y);
+      for (int x = 0; x < slab.count.x; ++x)
       {
         const auto value = std::size_t(int(voxels[x]) - int(std::numeric_limits<Scalar>::lowest()));
         ++few[std::size_t(x % Apart) * counts.size() + value];
@@ -178,13 +148,13 @@ void TakeMeans(const ScalarGrid<Scalar>& grid, const RowOfCubes& cubes, Scalar* 
 
 // Puts the means of the cubes of a slab where they belong.
 template <class Scalar>
-void PutMeans(const StoredSlab& slab, const ScalarGrid<Scalar>& grid, CoarseLevel& coarse)
+void PutMeans(const VoxelSlab& slab, const ScalarGrid<Scalar>& grid, CoarseLevel& coarse)
 {
   const int side = coarse.side;
   auto* const means = reinterpret_cast<Scalar*>(coarse.voxels.data());
   const glm::ivec3 count = coarse.voxelCount;
   const glm::ivec3 first = slab.first / side;
-  const glm::ivec3 own = glm::min(slab.own / side, count - first);
+  const glm::ivec3 own = glm::min(slab.count / side, count - first);
   for (int z = 0; z < own.z; ++z)
   {
     for (int y = 0; y < own.y; ++y)
@@ -219,20 +189,22 @@ VolumeSummary SummaryOf(const BrickSource& source, const SummaryOptions& options
   VolumeSummary summary =
     UnfilledSummary(source.Levels().front(), source.Type(), extremes, options.side);
   summary.areFinite = range.all;
-  if (!slabs.HaveAll())
-  {
-    Fill(source.Fill(), range, summary);
-  }
+  // Means of slabs that are not stored.
+  auto* const means = reinterpret_cast<Scalar*>(summary.coarse.voxels.data());
+  std::fill_n(means, summary.coarse.voxels.size() / sizeof(Scalar), Scalar(source.Fill()));
+  const BrickRanges::Steps ofFill = StepsOfFill(source.Fill(), range);
+  SlabRanges ranges(summary.ranges);
   std::mutex counting;
   slabs.ForEach([&](double part) { report(isCounted ? part : 0.5 + 0.5 * part); },
-    [&](const StoredSlab& slab, const std::vector<Scalar>& read)
+    [&](const VoxelSlab& slab, const std::vector<Scalar>& read)
     {
-      const ScalarGrid<Scalar> grid(read.data(), slab.count);
-      if (slab.HasCells())
+      if (!slab.isStored)
       {
-        PutRanges(BuildBrickRanges(grid, extremes.lower, extremes.upper, 0, options.side), slab,
-          summary.ranges);
+        ranges.Add(slab, ofFill);
+        return;
       }
+      const ScalarGrid<Scalar> grid(read.data(), slab.count);
+      ranges.Add(slab, grid, extremes);
       PutMeans(slab, grid, summary.coarse);
       Count(slab, grid, summary.counts, counting);
     });

@@ -10,16 +10,6 @@ namespace varimarch
 namespace
 {
 
-std::array<std::int64_t, 3> ChunkCount(const BrickSource::Level& level)
-{
-  std::array<std::int64_t, 3> count;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    count[axis] = (level.dimensions[axis] - 1) / level.chunk[axis] + 1;
-  }
-  return count;
-}
-
 BrickSource::Box Common(const BrickSource::Box& one, const BrickSource::Box& other)
 {
   BrickSource::Box common;

@@ -243,6 +243,47 @@ Hdf5Layout LayoutOf(const Hdf5File& file, const std::string& dataSet)
   return layout;
 }
 
+Hdf5Chunks ChunksOf(const Hdf5File& file, const std::string& dataSet,
+  const std::vector<std::vector<std::int64_t>>& starts)
+{
+  const SilentHdf5 silent;
+  const Hdf5Handle data(H5Dopen(file, dataSet.c_str(), H5P_DEFAULT), H5Dclose);
+  if (data < 0)
+  {
+    FailToRead(file.Path(), "the data set " + Quoted(dataSet, 80), "none, or a damaged one");
+  }
+  const Hdf5Handle creation(H5Dget_create_plist(data), H5Pclose);
+  const Hdf5Handle stored(H5Dget_type(data), H5Tclose);
+  const Hdf5Handle type = MemoryTypeOf(stored);
+  Hdf5Chunks chunks;
+  chunks.fill.resize(std::max(H5Tget_size(type), sizeof(std::uint64_t)));
+  H5D_fill_time_t fillTime = H5D_FILL_TIME_NEVER;
+  H5D_fill_value_t kind = H5D_FILL_VALUE_UNDEFINED;
+  const bool isFilled = H5Pget_layout(creation) == H5D_CHUNKED &&
+    H5Pget_fill_time(creation, &fillTime) >= 0 && fillTime != H5D_FILL_TIME_NEVER &&
+    H5Pfill_value_defined(creation, &kind) >= 0 && kind != H5D_FILL_VALUE_UNDEFINED &&
+    H5Pget_fill_value(creation, type, chunks.fill.data()) >= 0;
+  bool areAllThere = true;
+  for (std::size_t i = 0; isFilled && i < starts.size(); ++i)
+  {
+    const std::vector<hsize_t> start(starts[i].begin(), starts[i].end());
+    unsigned filters = 0;
+    haddr_t address = HADDR_UNDEF;
+    hsize_t bytes = 0;
+    // A chunk that cannot be found out about is read, so that its reader says why.
+    const bool isThere =
+      H5Dget_chunk_info_by_coord(data, start.data(), &filters, &address, &bytes) < 0 ||
+      address != HADDR_UNDEF;
+    chunks.areThere.push_back(isThere ? 1 : 0);
+    areAllThere = areAllThere && isThere;
+  }
+  if (areAllThere)
+  {
+    chunks.areThere.clear();
+  }
+  return chunks;
+}
+
 void ReadHdf5Box(const Hdf5File& file, const std::string& dataSet,
   const std::vector<std::int64_t>& start, const std::vector<std::int64_t>& count, void* values)
 {

@@ -57,6 +57,19 @@ struct Hdf5Layout
 /// @throws std::runtime_error if there is no such data set
 Hdf5Layout LayoutOf(const Hdf5File& file, const std::string& dataSet);
 
+/// The chunks of a data set that its file has.
+struct Hdf5Chunks
+{
+  std::vector<std::uint8_t> areThere; ///< 1 for each that is there, 0 for others; empty if all are
+  std::vector<char> fill;             ///< the value of the others, in the machine's byte order
+};
+
+/// Looks for the chunks that begin at some places.
+/// @param starts  the first index of each chunk along each axis, slowest first
+/// @throws std::runtime_error if there is no such data set
+Hdf5Chunks ChunksOf(const Hdf5File& file, const std::string& dataSet,
+  const std::vector<std::vector<std::int64_t>>& starts);
+
 /// Reads a box of values of at most 16 axes, in the machine's byte order.
 /// @param start  the first index along each axis, slowest first
 /// @param count  the length along each axis

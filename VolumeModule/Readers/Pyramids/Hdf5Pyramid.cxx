@@ -42,7 +42,6 @@ public:
   Hdf5Pyramid(const std::string& path, const ReadOptions& options);
 
   std::int64_t Read(int level, const BrickSource::Box& box, void* voxels) override;
-
   StoredChunks Stored(int level) const override;
 
 private:
@@ -54,6 +53,8 @@ private:
   glm::dvec3 ElementSizeMm(const std::string& name);
   void NameOthers(const std::string& what, std::size_t count, std::size_t taken);
   std::size_t TimeToRead() const;
+  std::vector<std::int64_t> AlongDataSet(
+    std::size_t level, const std::array<std::int64_t, 3>& alongVolume, std::int64_t others) const;
 
   Hdf5Path path;
   std::unique_ptr<Hdf5File> file;
@@ -351,26 +352,41 @@ void Hdf5Pyramid::TakeDataSet(const std::string& name)
   }
 }
 
-/// The file says which chunks it has, but rarely lacks one.
-StoredChunks Hdf5Pyramid::Stored(int) const
+/// Numbers for the axes of a data set, slowest first.
+/// @param others  the number for axes that the volume does not have
+std::vector<std::int64_t> Hdf5Pyramid::AlongDataSet(
+  std::size_t level, const std::array<std::int64_t, 3>& alongVolume, std::int64_t others) const
 {
+  std::vector<std::int64_t> numbers(this->sizes[level].size(), others);
+  std::copy_n(alongVolume.begin(), std::min<std::size_t>(numbers.size(), 3), numbers.rbegin());
+  return numbers;
+}
+
+StoredChunks Hdf5Pyramid::Stored(int number) const
+{
+  const auto level = std::size_t(number);
+  const BrickSource::Level& form = this->form.levels[level];
+  const std::array<std::int64_t, 3> count = ChunkCount(form);
+  const std::int64_t slices = count[0] * count[1];
+  std::vector<std::vector<std::int64_t>> starts;
+  const bool areFew = double(slices) * double(count[2]) <= MostChunksToFind;
+  for (std::int64_t i = 0; areFew && i < slices * count[2]; ++i)
+  {
+    const std::array<std::int64_t, 3> place = { i % count[0], i / count[0] % count[1], i / slices };
+    starts.push_back(this->AlongDataSet(
+      level, { place[0] * form.chunk[0], place[1] * form.chunk[1], place[2] * form.chunk[2] }, 0));
+  }
+  const Hdf5Chunks chunks = ChunksOf(*this->file, this->dataSets[level], starts);
   const auto written = fs::last_write_time(this->path.file).time_since_epoch().count();
-  return { {}, 0.0,
+  return { chunks.areThere, ValueIn(chunks.fill, this->form.scalarType),
     std::to_string(fs::file_size(this->path.file)) + " bytes of " + std::to_string(written) };
 }
 
 std::int64_t Hdf5Pyramid::Read(int number, const BrickSource::Box& box, void* voxels)
 {
   const auto level = std::size_t(number);
-  const std::size_t rank = this->sizes[level].size();
-  std::vector<std::int64_t> start(rank, 0);
-  std::vector<std::int64_t> count(rank, 1);
-  for (std::size_t axis = 0; axis < std::min<std::size_t>(rank, 3); ++axis)
-  {
-    start[rank - 1 - axis] = box.lower[axis];
-    count[rank - 1 - axis] = box.upper[axis] - box.lower[axis];
-  }
-  ReadHdf5Box(*this->file, this->dataSets[level], start, count, voxels);
+  ReadHdf5Box(*this->file, this->dataSets[level], this->AlongDataSet(level, box.lower, 0),
+    this->AlongDataSet(level, SizeOf(box), 1), voxels);
   return 0;
 }
 

@@ -4,9 +4,12 @@
 #include "Readers/Memory.h"
 #include "Readers/VoxelLayout.h"
 
+#include <vtkSetGet.h>
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <cstring>
 
 namespace varimarch
 {
@@ -42,6 +45,26 @@ bool LiesIn(const BrickSource::Box& box, const BrickSource::Level& level)
     }
   }
   return true;
+}
+
+std::array<std::int64_t, 3> ChunkCount(const BrickSource::Level& level)
+{
+  std::array<std::int64_t, 3> count;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    count[axis] = (level.dimensions[axis] - 1) / level.chunk[axis] + 1;
+  }
+  return count;
+}
+
+double ValueIn(const std::vector<char>& bytes, int scalarType)
+{
+  switch (scalarType)
+  {
+    vtkTemplateMacro(VTK_TT value; std::memcpy(&value, bytes.data(), sizeof(value));
+                     return double(value));
+  }
+  return 0.0;
 }
 
 void SetScales(const std::string& path, PyramidForm& form)

@@ -36,6 +36,9 @@ struct StoredChunks
   std::string stamp;
 };
 
+/// Chunks of a level that are looked for, which takes several seconds. Of more nothing is known.
+constexpr double MostChunksToFind = 4e6;
+
 /// A file or folder with a volume in levels, cut into chunks, that a decoder has opened. It keeps
 /// no voxels.
 class VoxelPyramid
@@ -83,6 +86,12 @@ std::int64_t VoxelCount(const BrickSource::Box& box);
 
 /// True if a box has voxels, all of which lie in the level.
 bool LiesIn(const BrickSource::Box& box, const BrickSource::Level& level);
+
+/// The chunks along each axis of a level.
+std::array<std::int64_t, 3> ChunkCount(const BrickSource::Level& level);
+
+/// The number that bytes in the machine's order are.
+double ValueIn(const std::vector<char>& bytes, int scalarType);
 
 /// Sets the scale of each level from the geometries, and refuses geometries without a size.
 /// @param path  path for the error message

@@ -4,7 +4,6 @@
 #include "Readers/VoxelFile.h"
 
 #include <vtkByteSwap.h>
-#include <vtkSetGet.h>
 
 #include <tbb/parallel_for.h>
 #include <zlib.h>
@@ -15,6 +14,9 @@
 #include <atomic>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace varimarch
 {
@@ -29,6 +31,46 @@ std::int64_t Along(const ZarrSelection& selection, int axis, const std::vector<s
   const std::size_t place = selection.axes[axis];
   return place == ZarrSelection::NoAxis ? 1 : sizes[place];
 }
+
+/// The names in folders, each of which is listed once, since a question for each file would take
+/// longer where nearly none of them is there.
+class FolderNames
+{
+public:
+  /// False if there is certainly no such file.
+  bool MayHold(const fs::path& path)
+  {
+    const std::string folder = path.parent_path().string();
+    auto known = this->folders.find(folder);
+    if (known == this->folders.end())
+    {
+      known = this->folders.emplace(folder, NamesIn(folder)).first;
+    }
+    return !known->second.areKnown || known->second.names.count(path.filename().string()) > 0;
+  }
+
+private:
+  struct Names
+  {
+    bool areKnown = false;
+    std::unordered_set<std::string> names;
+  };
+
+  static Names NamesIn(const std::string& folder)
+  {
+    Names found;
+    std::error_code problem;
+    fs::directory_iterator entry(folder, problem);
+    for (; !problem && entry != fs::directory_iterator(); entry.increment(problem))
+    {
+      found.names.insert(entry->path().filename().string());
+    }
+    found.areKnown = !problem || problem == std::errc::no_such_file_or_directory;
+    return found;
+  }
+
+  std::unordered_map<std::string, Names> folders;
+};
 
 /// A check sum of the sizes and times of files.
 class FileSum
@@ -53,17 +95,6 @@ public:
 private:
   uLong sum = crc32_z(0, nullptr, 0);
 };
-
-/// The value that bytes of a type hold.
-double ValueOf(const std::vector<char>& bytes, int scalarType)
-{
-  switch (scalarType)
-  {
-    vtkTemplateMacro(VTK_TT value; std::memcpy(&value, bytes.data(), sizeof(value));
-                     return double(value));
-  }
-  return 0.0;
-}
 
 void SwapToHost(bool isBigEndian, std::int64_t valueBytes, std::vector<char>& bytes)
 {
@@ -230,12 +261,12 @@ StoredChunks ZarrArray::Stored(
     count[axis] = (size[axis] - 1) / length + 1;
   }
   StoredChunks chunks;
-  chunks.fill = ValueOf(this->header.fill, this->header.scalarType);
-  constexpr double MostChunks = 4e6; // several seconds of looking
-  if (double(count[0]) * double(count[1]) * double(count[2]) > MostChunks)
+  chunks.fill = ValueIn(this->header.fill, this->header.scalarType);
+  if (double(count[0]) * double(count[1]) * double(count[2]) > MostChunksToFind)
   {
     return chunks;
   }
+  FolderNames names;
   FileSum sum;
   sum.Add((fs::path(this->folder) / ZarrArrayFile).string(), 0);
   const BrickSource::Box all = { { 0, 0, 0 }, size };
@@ -244,7 +275,8 @@ StoredChunks ZarrArray::Stored(
     const std::array<std::int64_t, 3> index = { i % count[0], i / count[0] % count[1],
       i / (count[0] * count[1]) };
     const std::string path = this->PartIn(index, selection, all).path;
-    chunks.areThere.push_back(sum.Add(path, std::uint64_t(i) + 1) ? 1 : 0);
+    const bool isThere = names.MayHold(path) && sum.Add(path, std::uint64_t(i) + 1);
+    chunks.areThere.push_back(isThere ? 1 : 0);
   }
   chunks.stamp = sum.Text();
   return chunks;
