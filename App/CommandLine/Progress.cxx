@@ -1,5 +1,7 @@
 #include "Progress.h"
 
+#include "Scene/RestOfWork.h"
+
 #include <unistd.h>
 
 #include <iomanip>
@@ -56,19 +58,31 @@ void Progress::Watch()
   }
 }
 
+void Progress::SetPart(double newPart)
+{
+  const std::lock_guard<std::mutex> lock(this->mutex);
+  this->part = newPart;
+}
+
+double Progress::ElapsedSeconds() const
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->start).count();
+}
+
 void Progress::Show()
 {
+  const std::string rest = RestOfWork(this->part, this->ElapsedSeconds());
   if (this->onTerminal)
   {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - this->start;
     std::ostringstream line;
     line << EraseLine << this->activity << " ... " << std::fixed << std::setprecision(0)
-         << elapsed.count() << " s";
+         << this->ElapsedSeconds() << " s" << rest;
     std::cerr << line.str() << std::flush;
   }
-  else if (!this->shown)
+  else if (!this->shown || (!this->restIsShown && !rest.empty()))
   {
-    std::cerr << this->activity + " ...\n" << std::flush;
+    std::cerr << this->activity + " ..." + rest + "\n" << std::flush;
+    this->restIsShown = !rest.empty();
   }
   this->shown = true;
 }

@@ -24,9 +24,14 @@ public:
   /// Changes the text of the line.
   void SetActivity(const std::string& activity);
 
+  /// Shows how long the rest may take, if that is a minute or more.
+  /// @param part  the finished part, [0, 1]
+  void SetPart(double part);
+
 private:
   void Watch();
   void Show();
+  double ElapsedSeconds() const;
 
   const std::chrono::steady_clock::time_point start;
   const bool onTerminal;
@@ -35,6 +40,8 @@ private:
   std::string activity;
   bool finished = false;
   bool shown = false;
+  double part = 0.0; ///< the finished part, [0, 1]; 0 if it is not known
+  bool restIsShown = false;
   std::thread watcher;
 };
 

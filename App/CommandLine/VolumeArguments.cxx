@@ -224,8 +224,13 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
 LoadedVolume LoadVolumeReporting(const VolumeSource& source, bool mayBePreview)
 {
   const auto* file = std::get_if<FileSource>(&source);
-  const Progress progress(file ? "Reading " + file->path : "Computing the volume");
-  LoadedVolume volume = LoadVolume(source, {}, mayBePreview);
+  Progress progress(file ? "Reading " + file->path : "Computing the volume");
+  const auto observe = [&](double part)
+  {
+    progress.SetPart(part);
+    return true;
+  };
+  LoadedVolume volume = LoadVolume(source, observe, mayBePreview);
   for (const std::string& warning : volume.warnings)
   {
     PrintMessage("warning: " + warning);

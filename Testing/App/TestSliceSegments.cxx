@@ -14,15 +14,15 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Side = 21;
-constexpr int Middle = Side / 2;
+constexpr int SegmentSide = 21;
+constexpr int Middle = SegmentSide / 2;
 
 // Voxels of 1 mm, the centre one at the world's origin. Segment 1 is the cube of 11 voxels around
 // the origin, and segment 2 the slab of 2 voxels beside it, towards the patient's left.
 vtkSmartPointer<vtkImageData> SegmentNumbers()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(Side, Side, Side);
+  image->SetDimensions(SegmentSide, SegmentSide, SegmentSide);
   image->SetOrigin(-Middle, -Middle, -Middle);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   for (int z = -Middle; z <= Middle; ++z)
@@ -50,12 +50,12 @@ std::vector<Segment> Segments()
 // Pixels of 1 mm with the world's origin at the centre pixel.
 SliceRequest SegmentRequest(SlicePlane plane)
 {
-  return { plane, { 0.0, 0.0, 0.0 }, 1.0, Side, Side, 255.0, 127.5, 0.0 };
+  return { plane, { 0.0, 0.0, 0.0 }, 1.0, SegmentSide, SegmentSide, 255.0, 127.5, 0.0 };
 }
 
 Rgba Pixel(const std::vector<Rgba>& picture, int right, int down)
 {
-  return picture[(down + Middle) * Side + right + Middle];
+  return picture[(down + Middle) * SegmentSide + right + Middle];
 }
 
 const Rgba Nothing = { 0, 0, 0, 0 };

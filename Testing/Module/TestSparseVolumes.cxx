@@ -1,6 +1,7 @@
 // Volumes of which the store has only parts: the rest is not read, and counts as if it were stored.
 #include "Module/PhantomLibraryFiles.h"
 #include "Module/VoxelsInChunks.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <vtkStringArray.h>
 
@@ -173,6 +174,47 @@ TEST_F(SparseVolumes, InRawFilesAreReadOnlyWhereTheFileHasVoxels)
   ASSERT_GT(facts.size(), sizeof(extremes));
   std::memcpy(extremes.data(), facts.data(), sizeof(extremes));
   EXPECT_EQ(extremes, (std::array<double, 2>{ 0.0, 7.0 }));
+}
+
+// Chunks that nobody can decode show which level is opened.
+TEST_F(SparseVolumes, AreNotReadForHoursUnlessTheirFinestLevelIsAskedFor)
+{
+  constexpr int Chunks = 20; // along each axis: 8,000 of 16 MiB, beyond 100 GB
+  const auto describe = [&](const char* level, int voxels, int chunk)
+  {
+    const std::string size = std::to_string(voxels);
+    const std::string ofChunk = std::to_string(chunk);
+    this->folder.Write(std::string("p.zarr/") + level + "/.zarray",
+      R"({"zarr_format": 2, "shape": [)" + size + ", " + size + ", " + size + R"(], "chunks": [)" +
+        ofChunk + ", " + ofChunk + ", " + ofChunk +
+        R"(], "dtype": "|u1", "compressor": null, "order": "C", "filters": null, "fill_value": 0})");
+  };
+  describe("0", Chunks * 256, 256);
+  describe("1", 64, 64);
+  this->folder.Write("p.zarr/1/0.0.0", std::string(64 * 64 * 64, '\5'));
+  this->folder.Write("p.zarr/.zattrs", R"({"multiscales": [{"version": "0.4", "axes": [
+    {"name": "z", "type": "space"}, {"name": "y", "type": "space"}, {"name": "x", "type": "space"}],
+    "datasets": [{"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [1, 1, 1]}]},
+    {"path": "1", "coordinateTransformations": [{"type": "scale", "scale": [80, 80, 80]}]}]}]})");
+  constexpr vtkIdType Memory = 4000000000;
+  vtkImageData* const sparse = this->Read(this->folder.Path("p.zarr"), Memory);
+  EXPECT_EQ(sparse->GetDimensions()[0], Chunks * 256) << "of a store with few chunks";
+  for (int i = 0; i < Chunks * Chunks * Chunks; ++i)
+  {
+    this->folder.Write("p.zarr/0/" + std::to_string(i % Chunks) + "." +
+        std::to_string(i / Chunks % Chunks) + "." + std::to_string(i / (Chunks * Chunks)),
+      "damaged");
+  }
+  vtkImageData* const chosen = this->Read(this->folder.Path("p.zarr"), Memory);
+  EXPECT_EQ(chosen->GetDimensions()[0], 64);
+  this->ExpectWarning("Level 1, 64 x 64 x 64 voxels of unsigned char, was read: the voxels of the "
+                      "finest, 5120 x 5120 x 5120 voxels of unsigned char, have to be read once "
+                      "before they are drawn, 134.2 GB in 0.4 hours at 100 MB a second; ask for "
+                      "level 0 to have them.");
+  this->reader->SetResolutionLevel(0);
+  const ExpectedVtkErrors errors;
+  this->Read(this->folder.Path("p.zarr"), Memory);
+  EXPECT_NE(errors.Text().find("a chunk of 16777216 bytes"), std::string::npos) << errors.Text();
 }
 
 }

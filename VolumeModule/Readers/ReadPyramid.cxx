@@ -3,6 +3,7 @@
 #include "Readers/Decoder/DecodedPyramid.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/LevelChoice.h"
 #include "Readers/Memory.h"
 #include "Readers/PagedPyramid.h"
 #include "Readers/Preview.h"
@@ -10,12 +11,9 @@
 #include "Readers/Pyramids/ZarrHeader.h"
 #include "Readers/VoxelLayout.h"
 
-#include <vtkDataArray.h>
-
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 
 namespace varimarch
 {
@@ -23,82 +21,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-VoxelLayout LayoutOf(const PyramidForm& form, std::size_t level)
-{
-  return { form.levels[level].dimensions, form.scalarType, 1 };
-}
-
-double BytesOf(const VoxelLayout& layout)
-{
-  double bytes = double(vtkDataArray::GetDataTypeSize(layout.scalarType));
-  for (const std::int64_t dimension : layout.dimensions)
-  {
-    bytes *= double(dimension);
-  }
-  return bytes;
-}
-
-/// Voxels that may be read as a whole: half of the memory, or of what is free of it, is left to
-/// what is made of them.
-double MostReadBytes(const ReadOptions& options)
-{
-  return 0.5 * std::min(FreeMemoryBytes(), double(MostMemoryBytes(options)));
-}
-
-/// The reason why the voxels of a level cannot stay in their chunks until they are needed, as the
-/// rest of a sentence about them; empty if they can.
-std::string ObstacleToPaging(const PyramidForm& form, std::size_t level, const ReadOptions& options)
-{
-  const std::optional<VoxelType> type = VoxelTypeOf(form.scalarType);
-  if (!type)
-  {
-    return "are not of 8 bits, 16 bits or type float";
-  }
-  if (options.areCopies)
-  {
-    return "are packed in an archive";
-  }
-  const auto& size = form.levels[level].dimensions;
-  if (*std::max_element(size.begin(), size.end()) > std::numeric_limits<int>::max())
-  {
-    return "are more than 2147483647 along an axis";
-  }
-  const std::uint64_t mostBytes = MostMemoryBytes(options);
-  const std::uint64_t ofBricks = BytesOfBricks(
-    form.levels[level], *type, SideOfBricks(form.levels[level], *type, mostBytes / 2));
-  if (ofBricks > mostBytes / 2)
-  {
-    return "have bricks for which " + ByteText(2.0 * double(ofBricks)) + " are needed";
-  }
-  return ChunkedVoxels::Obstacle(
-    form.levels[level], std::size_t(vtkDataArray::GetDataTypeSize(form.scalarType)), mostBytes);
-}
-
-/// The level that was asked for, or the finest that can be read or stay in its chunks; the coarsest
-/// if none can.
-std::size_t LevelToRead(
-  const std::string& path, const PyramidForm& form, const ReadOptions& options)
-{
-  const std::size_t count = form.levels.size();
-  if (const std::optional<int> wanted = options.level)
-  {
-    if (*wanted < 0 || std::size_t(*wanted) >= count)
-    {
-      FailToRead(path, "a level from 0 to " + std::to_string(count - 1),
-        "the wish for level " + std::to_string(*wanted));
-    }
-    return std::size_t(*wanted);
-  }
-  const double mostBytes = MostReadBytes(options);
-  std::size_t level = 0;
-  while (level + 1 < count && BytesOf(LayoutOf(form, level)) > mostBytes &&
-    !ObstacleToPaging(form, level, options).empty())
-  {
-    ++level;
-  }
-  return level;
-}
 
 /// The boxes of a level that are read one after another: whole chunks in rows of slices.
 class SlabReading
@@ -269,17 +191,15 @@ Volume ReadPyramid(const PyramidOrder& order, ReadProgress& progress)
 {
   const auto pyramid = std::make_shared<const DecodedPyramid>(order, progress);
   const PyramidForm& form = pyramid->Form();
-  const std::size_t level = LevelToRead(order.path, form, order.options);
+  const LevelChoice choice = LevelToRead(order, pyramid);
+  const std::size_t level = choice.level;
   Volume volume;
   volume.windowLevel = form.windowLevel;
   volume.warnings = form.warnings;
   volume.times = form.times;
-  if (level > 0 && !order.options.level)
+  if (!choice.reason.empty())
   {
-    volume.warnings.push_back("Level " + std::to_string(level) + ", " +
-      Text(LayoutOf(form, level)) + ", was read: the voxels of the finest, " +
-      Text(LayoutOf(form, 0)) + ", need more than half of the free memory and " +
-      ObstacleToPaging(form, 0, order.options) + ".");
+    volume.warnings.push_back(choice.reason);
   }
   const LevelImage read = ImageOfLevel(order, pyramid, level, progress);
   volume.image = read.image;

@@ -60,16 +60,8 @@ public:
     this->slabsAtOnce = int(std::clamp<std::int64_t>(most / ofSlab, 1, threads));
   }
 
-  /// True if the slabs that are stored have all voxels.
-  bool HaveAll() const
-  {
-    bool haveAll = true;
-    for (int i = 0; haveAll && i < this->SlabCount(); ++i)
-    {
-      haveAll = this->SlabOf(i).isStored;
-    }
-    return haveAll;
-  }
+  /// True if all slabs are stored.
+  bool HaveAll() const { return this->StoredCount() == this->SlabCount(); }
 
   /// Calls take(slab, its voxels) for each slab, on several cores. There are no voxels for slabs
   /// that are not stored.
@@ -77,6 +69,7 @@ public:
   void ForEach(const std::function<void(double)>& report, Take take) const
   {
     const int slabCount = this->SlabCount();
+    const int storedCount = this->StoredCount();
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<int> done = 0;
     const auto readOne = [&](int index)
@@ -88,10 +81,10 @@ public:
         this->source.Read(0, BoxOf(slab), read.data());
       }
       tbb::this_task_arena::isolate([&] { take(slab, read); });
-      const int doneNow = ++done;
+      done += slab.isStored ? 1 : 0;
       if (std::this_thread::get_id() == caller)
       {
-        report(double(doneNow) / slabCount);
+        report(double(done) / std::max(storedCount, 1));
       }
     };
     tbb::task_arena arena(this->slabsAtOnce);
@@ -166,6 +159,16 @@ private:
   /// The number of slabs along each axis.
   glm::ivec3 Counts() const { return (this->voxels - 1) / this->extent + 1; }
   int SlabCount() const { return int(VoxelsOf(this->Counts())); }
+
+  int StoredCount() const
+  {
+    int count = 0;
+    for (int i = 0; i < this->SlabCount(); ++i)
+    {
+      count += this->SlabOf(i).isStored ? 1 : 0;
+    }
+    return count;
+  }
 
   VoxelSlab SlabOf(int index) const
   {
