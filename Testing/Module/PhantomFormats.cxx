@@ -277,7 +277,7 @@ std::string DdsBytes(const std::string& bytes, int planes, int rowBytes)
   return result;
 }
 
-std::string ParText(const StoredVolume& volume, const std::vector<int>& slices)
+std::string ParText(const StoredVolume& volume, const std::vector<int>& slices, double stepSeconds)
 {
   const auto& size = volume.dimensions;
   const glm::dvec3 centre = volume.originMm +
@@ -294,8 +294,8 @@ std::string ParText(const StoredVolume& volume, const std::vector<int>& slices)
   {
     text += Text(slices[i] + 1, " 1 1 1 0 2 ", i, " 16 100 ", size[0], ' ', size[1],
       " 0 1 1 100 200 0 0 0 0 0 0 ", glm::length(volume.axesMm[2]), " 0 0 1 0 2 ",
-      glm::length(volume.axesMm[0]), ' ', glm::length(volume.axesMm[1]),
-      " 0 0 0 0 1 90 0 0 0 1 0\n");
+      glm::length(volume.axesMm[0]), ' ', glm::length(volume.axesMm[1]), " 0 ",
+      double(i / std::size_t(size[2])) * stepSeconds, " 0 0 1 90 0 0 0 1 0\n");
   }
   return text + "# === END OF DATA DESCRIPTION FILE ====\n";
 }

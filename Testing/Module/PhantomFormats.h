@@ -45,6 +45,8 @@ std::string DdsBytes(const std::string& bytes, int planes, int rowBytes);
 
 /// The header of a Philips PAR file of a volume whose slices are transverse and not turned.
 /// @param slices  for each line of the list, its slice from 0; the voxel file has this order
-std::string ParText(const StoredVolume& volume, const std::vector<int>& slices);
+/// @param stepSeconds  time from one volume to the next
+std::string ParText(
+  const StoredVolume& volume, const std::vector<int>& slices, double stepSeconds = 0.0);
 
 #endif

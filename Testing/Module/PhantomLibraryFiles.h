@@ -35,8 +35,10 @@ void WritePicture(const std::string& path, const StoredVolume& volume, int slice
 struct MincOptions
 {
   bool isScaled = false; ///< true: extremes of each slice, which make real values of stored ones
-  int timeCount = 0;     ///< number of equal volumes; 0: no dimension of time
+  /// Number of volumes, each with stored values 100 above those before; 0: no dimension of time.
+  int timeCount = 0;
   bool hasOddMinima = false; ///< true: the smallest values vary along an axis more than the largest
+  double timeStepSeconds = 0.0; ///< 0: not stated
 };
 
 void WriteMinc1(

@@ -7,6 +7,7 @@
 #include <netcdf.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -47,6 +48,31 @@ std::vector<double> Extremes(const StoredVolume& volume, const MincOptions& opti
   return extremes;
 }
 
+std::vector<double> ValuesOfTimes(const StoredVolume& volume, const MincOptions& options)
+{
+  std::vector<double> values;
+  for (int time = 0; time < std::max(1, options.timeCount); ++time)
+  {
+    std::transform(volume.values.begin(), volume.values.end(), std::back_inserter(values),
+      [time](double value) { return value + 100.0 * time; });
+  }
+  return values;
+}
+
+/// Makes the dimension of time.
+int TimeOfMinc1(int file, const MincOptions& options)
+{
+  int dimension = -1;
+  nc_def_dim(file, "time", std::size_t(options.timeCount), &dimension);
+  int variable = -1;
+  nc_def_var(file, "time", NC_INT, 0, nullptr, &variable);
+  if (options.timeStepSeconds > 0.0)
+  {
+    nc_put_att_double(file, variable, "step", NC_DOUBLE, 1, &options.timeStepSeconds);
+  }
+  return dimension;
+}
+
 }
 
 double MincReal(double stored, int slice)
@@ -62,8 +88,7 @@ void WriteMinc1(const std::string& path, const StoredVolume& volume, const MincO
   std::vector<int> dimensions;
   if (options.timeCount > 0)
   {
-    dimensions.push_back(-1);
-    nc_def_dim(file, "time", std::size_t(options.timeCount), &dimensions.back());
+    dimensions.push_back(TimeOfMinc1(file, options));
   }
   for (int axis = 2; axis >= 0; --axis)
   {
@@ -90,11 +115,7 @@ void WriteMinc1(const std::string& path, const StoredVolume& volume, const MincO
   {
     nc_put_var_double(file, extremes[end], Extremes(volume, options, end).data());
   }
-  std::vector<double> values;
-  for (int time = 0; time < std::max(1, options.timeCount); ++time)
-  {
-    values.insert(values.end(), volume.values.begin(), volume.values.end());
-  }
+  const std::vector<double> values = ValuesOfTimes(volume, options);
   nc_put_var_double(file, image, values.data());
   nc_close(file);
 }
@@ -139,6 +160,17 @@ hid_t PutData(hid_t file, const std::string& name, hid_t type, const std::vector
   return data;
 }
 
+/// Describes the dimension of time.
+void PutTimeOfMinc2(hid_t file, const MincOptions& options)
+{
+  const hid_t dimension = PutData(file, "/minc-2.0/dimensions/time", H5T_STD_I32LE, {}, { 0.0 });
+  if (options.timeStepSeconds > 0.0)
+  {
+    PutNumbers(dimension, "step", &options.timeStepSeconds, 1);
+  }
+  H5Dclose(dimension);
+}
+
 }
 
 void WriteMinc2(const std::string& path, const StoredVolume& volume, const MincOptions& options)
@@ -146,11 +178,11 @@ void WriteMinc2(const std::string& path, const StoredVolume& volume, const MincO
   const MincAxes axes(volume);
   const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   std::vector<hsize_t> lengths;
-  std::string order;
+  std::string order = options.timeCount > 0 ? "time," : "";
   if (options.timeCount > 0)
   {
     lengths.push_back(hsize_t(options.timeCount));
-    order = "time,";
+    PutTimeOfMinc2(file, options);
   }
   for (int axis = 2; axis >= 0; --axis)
   {
@@ -177,12 +209,8 @@ void WriteMinc2(const std::string& path, const StoredVolume& volume, const MincO
   H5Dclose(PutData(file, folder + "image-min", H5T_IEEE_F64LE, minimumLengths, minima));
   H5Dclose(PutData(
     file, folder + "image-max", H5T_IEEE_F64LE, extremeLengths, Extremes(volume, options, 1)));
-  std::vector<double> values;
-  for (int time = 0; time < std::max(1, options.timeCount); ++time)
-  {
-    values.insert(values.end(), volume.values.begin(), volume.values.end());
-  }
-  const hid_t image = PutData(file, folder + "image", H5T_STD_I16LE, lengths, values);
+  const hid_t image =
+    PutData(file, folder + "image", H5T_STD_I16LE, lengths, ValuesOfTimes(volume, options));
   PutNumbers(image, "valid_range", validRange, 2);
   PutText(image, "dimorder", order);
   H5Dclose(image);

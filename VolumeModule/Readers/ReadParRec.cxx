@@ -7,6 +7,7 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/NumberText.h"
 #include "Readers/Rescale.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -35,6 +36,7 @@ struct ParImage
   double gapMm;
   int orientation; ///< 1 transverse, 2 sagittal, 3 coronal
   std::array<double, 2> spacingMm;
+  double beginSeconds; ///< begin of the dynamic scan, since that of the first; 0 if not stated
 };
 
 struct ParHeader
@@ -47,10 +49,11 @@ struct ParHeader
 /// Parses a line of the list; the columns are those of the versions 4 to 4.2.
 ParImage ImageOf(const std::string& path, const std::string& line)
 {
+  constexpr std::size_t MostColumns = 32;
   std::vector<double> columns;
   for (const std::string& word : Words(line))
   {
-    if (columns.size() == 30)
+    if (columns.size() == MostColumns)
     {
       break;
     }
@@ -64,7 +67,7 @@ ParImage ImageOf(const std::string& path, const std::string& line)
   { return WholeNumber(std::clamp(columns[column], -2e9, 2e9)); };
   return { int(whole(0)), whole(6), int(whole(7)), { whole(9), whole(10) },
     { columns[12], columns[11] }, columns[22], columns[23], int(whole(25)),
-    { columns[28], columns[29] } };
+    { columns[28], columns[29] }, columns.size() == MostColumns ? columns.back() : 0.0 };
 }
 
 ParHeader ReadParHeader(const std::string& path)
@@ -99,17 +102,47 @@ ParHeader ReadParHeader(const std::string& path)
   return header;
 }
 
-/// The images of the first volume, in order of their slices.
-std::vector<ParImage> FirstVolumeOf(const ParHeader& header)
+/// The images of each slice, by its number, in the order of the list: one of each for each volume.
+std::map<int, std::vector<ParImage>> SlicesOf(const ParHeader& header)
 {
-  std::map<int, ParImage> slices;
+  std::map<int, std::vector<ParImage>> slices;
   for (const ParImage& image : header.images)
   {
-    slices.emplace(image.slice, image);
+    slices[image.slice].push_back(image);
   }
-  std::vector<ParImage> images;
-  for (const auto& [number, image] : slices)
+  return slices;
+}
+
+/// The times of the volumes. One that the scan did not complete is left out, with a warning.
+VolumeTimes TimesOf(const ParHeader& header, std::vector<std::string>& warnings)
+{
+  const auto slices = SlicesOf(header);
+  std::size_t count = header.images.size();
+  for (const auto& [number, images] : slices)
   {
+    count = std::min(count, images.size());
+  }
+  const std::size_t left = header.images.size() - count * slices.size();
+  if (left > 0)
+  {
+    warnings.push_back(
+      std::to_string(left) + " images of volumes that are not complete were left out.");
+  }
+  std::vector<double> seconds;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    seconds.push_back(slices.begin()->second[i].beginSeconds);
+  }
+  return StatedTimes(seconds);
+}
+
+/// The images of a volume, in order of their slices.
+std::vector<ParImage> VolumeAt(const ParHeader& header, std::size_t time)
+{
+  std::vector<ParImage> images;
+  for (const auto& [number, all] : SlicesOf(header))
+  {
+    const ParImage& image = all[time];
     images.push_back(image);
     const ParImage& first = images.front();
     if (number != int(images.size()))
@@ -246,19 +279,15 @@ bool IsPar(const std::string& head)
   return head.compare(0, std::string(parMark).size(), parMark) == 0;
 }
 
-Volume ReadParRec(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadParRec(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const ParHeader header = ReadParHeader(ParPartner(path, ".par"));
-  const std::vector<ParImage> slices = FirstVolumeOf(header);
-  const VoxelLayout layout = LayoutOf(header, slices);
-  const ImageGeometry geometry = GeometryOf(header, layout);
   Volume volume;
   volume.modality = "MR";
-  const std::size_t volumeCount = header.images.size() / slices.size();
-  if (volumeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(std::int64_t(volumeCount)));
-  }
+  TakeTimes(path, TimesOf(header, volume.warnings), options, volume);
+  const std::vector<ParImage> slices = VolumeAt(header, std::size_t(options.time));
+  const VoxelLayout layout = LayoutOf(header, slices);
+  const ImageGeometry geometry = GeometryOf(header, layout);
   volume.image = ReadSlices(ParPartner(path, ".rec"), layout, slices, progress);
   std::vector<Rescale> rescales;
   for (const ParImage& slice : slices)

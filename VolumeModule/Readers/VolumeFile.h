@@ -75,13 +75,6 @@ constexpr const char* UnknownSpacing =
 constexpr const char* UnknownByteOrder =
   "The file does not say its byte order; little endian was assumed.";
 
-/// The warning for files with several volumes in a format whose first one is read.
-inline std::string OnlyFirstVolume(std::int64_t count)
-{
-  return "The file holds " + std::to_string(count) +
-    " volumes (time points or a list); only the first was read.";
-}
-
 /// The layout of a file of raw voxels.
 struct RawOptions
 {

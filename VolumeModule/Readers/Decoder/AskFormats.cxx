@@ -21,6 +21,10 @@ Volume TakeVolume(const std::string& path, Conversation& conversation)
   {
     throw DecoderFailure{ "voxels of the decoder that are no numbers" };
   }
+  if (volume.times.values.empty())
+  {
+    throw DecoderFailure{ "a volume of the decoder without a time" };
+  }
   const std::uint64_t byteCount = CheckedByteCount(path, form.layout);
   volume.image = AllocatedImage(form.layout);
   form.Place(volume.image);

@@ -76,13 +76,20 @@ void Fields(Wire& wire, LabelledSegment& segment)
   wire(segment.value, segment.name, segment.rgb);
 }
 
+template <class Wire>
+void Fields(Wire& wire, VolumeTimes& times)
+{
+  wire(times.values, times.areSeconds);
+}
+
 /// All but the image.
 template <class Wire>
 void Fields(Wire& wire, Volume& volume)
 {
   wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
     volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
-    volume.isRectified, volume.segments, volume.uptakeValueFactor, volume.frameOfReference);
+    volume.isRectified, volume.segments, volume.uptakeValueFactor, volume.frameOfReference,
+    volume.times);
 }
 
 template <class Wire>
@@ -113,12 +120,6 @@ template <class Wire>
 void Fields(Wire& wire, PyramidOrder& order)
 {
   wire(order.format, order.path, order.options);
-}
-
-template <class Wire>
-void Fields(Wire& wire, VolumeTimes& times)
-{
-  wire(times.values, times.areSeconds);
 }
 
 template <class Wire>

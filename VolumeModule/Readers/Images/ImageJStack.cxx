@@ -2,7 +2,9 @@
 #include "Readers/HeaderText.h"
 #include "Readers/Images/TiffDescription.h"
 #include "Readers/NumberText.h"
+#include "Readers/Times.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -53,16 +55,11 @@ std::array<double, 3> SpacingOf(const std::string& path, const HeaderFields& fie
   return spacingMm;
 }
 
-}
-
-std::optional<TiffStack> ImageJStack(TiffFile& file)
+/// The lines of a description.
+HeaderFields FieldsOf(const std::string& description)
 {
-  if (file.Description().compare(0, 7, "ImageJ=") != 0)
-  {
-    return std::nullopt;
-  }
   HeaderFields fields;
-  std::istringstream lines(file.Description());
+  std::istringstream lines(description);
   for (std::string line; std::getline(lines, line);)
   {
     const std::size_t equals = line.find('=');
@@ -71,11 +68,34 @@ std::optional<TiffStack> ImageJStack(TiffFile& file)
       fields.Set(Trimmed(line.substr(0, equals)), Trimmed(line.substr(equals + 1)));
     }
   }
+  return fields;
+}
+
+/// The times of frames, between which ImageJ may state an interval.
+VolumeTimes TimesOf(const std::string& path, const HeaderFields& fields, std::size_t count)
+{
+  const std::string interval = fields.Value({ "finterval" });
+  const std::string unit = fields.Value({ "tunit" });
+  const double seconds = interval.empty()
+    ? 0.0
+    : NumberFromText(path, "a number as finterval", interval) *
+      SecondsPerUnit(unit.empty() ? "s" : unit);
+  return EvenTimes(std::int64_t(count), 0.0, seconds);
+}
+
+}
+
+std::optional<TiffStack> ImageJStack(TiffFile& file, std::int64_t time)
+{
+  if (file.Description().compare(0, 7, "ImageJ=") != 0)
+  {
+    return std::nullopt;
+  }
+  const HeaderFields fields = FieldsOf(file.Description());
   TiffStack stack;
   const std::string& path = file.Path();
   const std::size_t imageCount = Count(path, fields, "images");
   stack.channelCount = Count(path, fields, "channels");
-  stack.timeCount = Count(path, fields, "frames");
   // Without further numbers all images are slices.
   const bool hasSlices = fields.Has("slices") || fields.Has("channels") || fields.Has("frames");
   const std::size_t sliceCount = hasSlices ? Count(path, fields, "slices") : imageCount;
@@ -84,11 +104,16 @@ std::optional<TiffStack> ImageJStack(TiffFile& file)
     FailToRead(path, std::to_string(sliceCount * stack.channelCount) + " images for all slices",
       std::to_string(imageCount));
   }
+  const std::size_t pagesOfTime = sliceCount * stack.channelCount;
+  const std::size_t timeCount = std::min(Count(path, fields, "frames"), imageCount / pagesOfTime);
+  stack.times = TimesOf(path, fields, timeCount);
   if (file.Pages().size() == 1 && imageCount > 1)
   {
     file.AddPagesBehindFirst(imageCount - 1);
   }
-  for (std::size_t page = 0; page < sliceCount * stack.channelCount; ++page)
+  const auto last = std::int64_t(stack.times.values.size()) - 1;
+  const std::size_t first = std::size_t(std::clamp<std::int64_t>(time, 0, last)) * pagesOfTime;
+  for (std::size_t page = first; page < first + pagesOfTime; ++page)
   {
     stack.planes.push_back({ path, page });
   }

@@ -2,6 +2,7 @@
 #include "Readers/HeaderText.h"
 #include "Readers/Images/TiffDescription.h"
 #include "Readers/NumberText.h"
+#include "Readers/Times.h"
 #include "Readers/XmlText.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ class OmeDescription
 public:
   OmeDescription(const TiffFile& file, vtkSmartPointer<vtkXMLDataElement> root);
 
-  TiffStack Stack() const;
+  TiffStack Stack(std::int64_t time) const;
 
 private:
   std::int64_t Integer(vtkXMLDataElement* element, const char* name, std::int64_t otherwise) const;
@@ -60,6 +61,7 @@ private:
   std::string FileOf(vtkXMLDataElement* tiffData) const;
   std::int64_t PlaneAt(Indices indices) const;
   double SpacingMm(char axis, std::vector<std::string>& warnings) const;
+  VolumeTimes Times() const;
 
   const TiffFile& file;
   vtkSmartPointer<vtkXMLDataElement> root;
@@ -197,22 +199,37 @@ double OmeDescription::SpacingMm(char axis, std::vector<std::string>& warnings) 
     MmPerUnitOrWarn(unit.empty() ? "um" : unit, warnings);
 }
 
-TiffStack OmeDescription::Stack() const
+VolumeTimes OmeDescription::Times() const
+{
+  const std::string step = Attribute(this->pixels, "TimeIncrement");
+  const std::string unit = Attribute(this->pixels, "TimeIncrementUnit");
+  const double seconds = step.empty()
+    ? 0.0
+    : NumberFromText(this->file.Path(), "a number as TimeIncrement", step) *
+      SecondsPerUnit(unit.empty() ? "s" : unit);
+  return EvenTimes(this->sizes.at('T'), 0.0, seconds);
+}
+
+TiffStack OmeDescription::Stack(std::int64_t time) const
 {
   TiffStack stack;
   stack.channelCount = std::size_t(this->sizes.at('C'));
-  stack.timeCount = std::size_t(this->sizes.at('T'));
+  stack.times = this->Times();
+  const auto last = std::int64_t(stack.times.values.size()) - 1;
+  const std::int64_t t = std::clamp<std::int64_t>(time, 0, last);
   stack.spacingMm = { this->SpacingMm('X', stack.warnings), this->SpacingMm('Y', stack.warnings),
     this->SpacingMm('Z', stack.warnings) };
   for (std::int64_t z = 0; z < this->sizes.at('Z'); ++z)
   {
     for (std::int64_t c = 0; c < this->sizes.at('C'); ++c)
     {
-      const auto plane = this->planes.find(this->PlaneAt({ { 'Z', z }, { 'C', c }, { 'T', 0 } }));
+      const auto plane = this->planes.find(this->PlaneAt({ { 'Z', z }, { 'C', c }, { 'T', t } }));
       if (plane == this->planes.end())
       {
         FailToRead(this->file.Path(),
-          "a page for slice " + std::to_string(z) + " of channel " + std::to_string(c), "none");
+          "a page for slice " + std::to_string(z) + " of channel " + std::to_string(c) +
+            " at time " + std::to_string(t),
+          "none");
       }
       stack.planes.push_back(plane->second);
     }
@@ -227,7 +244,7 @@ TiffStack OmeDescription::Stack() const
 
 }
 
-std::optional<TiffStack> OmeStack(const TiffFile& file)
+std::optional<TiffStack> OmeStack(const TiffFile& file, std::int64_t time)
 {
   const std::string& text = file.Description();
   if (text.find("<OME") == std::string::npos && text.find(":OME ") == std::string::npos)
@@ -235,7 +252,7 @@ std::optional<TiffStack> OmeStack(const TiffFile& file)
     return std::nullopt;
   }
   return OmeDescription(file, XmlFromText(file.Path(), "a description in XML (OME-XML)", text))
-    .Stack();
+    .Stack(time);
 }
 
 }

@@ -4,6 +4,7 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/Images/StackGeometry.h"
 #include "Readers/Images/TiffDescription.h"
+#include "Readers/Times.h"
 
 #include <vtkDataArray.h>
 
@@ -110,13 +111,13 @@ vtkSmartPointer<vtkImageData> ReadPlanes(
 
 }
 
-Volume ReadTiff(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   auto file = std::make_unique<TiffFile>(path);
-  std::optional<TiffStack> described = OmeStack(*file);
+  std::optional<TiffStack> described = OmeStack(*file, options.time);
   if (!described)
   {
-    described = ImageJStack(*file);
+    described = ImageJStack(*file, options.time);
   }
   const bool isPlain = !described;
   TiffStack stack = isPlain ? PlainStack(*file) : *described;
@@ -125,12 +126,9 @@ Volume ReadTiff(const std::string& path, const ReadOptions&, ReadProgress& progr
 
   OpenTiff files(std::move(file));
   Volume volume;
+  TakeTimes(path, stack.times, options, volume);
   volume.image = ReadPlanes(stack, first.layout, files, progress);
   volume.warnings = stack.warnings;
-  if (stack.timeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(std::int64_t(stack.timeCount)));
-  }
   if (first.isInverted)
   {
     volume.warnings.push_back(

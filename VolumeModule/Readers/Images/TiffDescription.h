@@ -2,9 +2,11 @@
 #define Varimarch_Readers_Images_TiffDescription_h
 
 #include "Readers/Images/TiffFile.h"
+#include "Readers/VolumeFile.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,23 +24,25 @@ struct TiffPlane
 /// The volume that a TIFF file describes.
 struct TiffStack
 {
-  /// The planes of the first time point, slice after slice, with the channels of a slice together.
+  /// The planes of one time, slice after slice, with the channels of a slice together.
   std::vector<TiffPlane> planes;
   std::size_t channelCount = 1;
-  std::size_t timeCount = 1;
+  VolumeTimes times;
   std::array<double, 3> spacingMm = { 0.0, 0.0, 0.0 }; ///< 0 if unknown
   std::vector<std::string> warnings;
 };
 
 /// The stack that the text of ImageJ describes; nothing if the file has none. Adds the pages that
 /// have no directories to the file. See ij.io.FileInfo and ij.io.TiffDecoder of ImageJ.
+/// @param time  the time to read; the last one if it is beyond that
 /// @throws std::runtime_error for a description that is false
-std::optional<TiffStack> ImageJStack(TiffFile& file);
+std::optional<TiffStack> ImageJStack(TiffFile& file, std::int64_t time);
 
 /// The stack that the XML of OME-TIFF describes; nothing if the file has none. See
 /// https://docs.openmicroscopy.org/ome-model/latest/ome-tiff/specification.html
+/// @param time  the time to read; the last one if it is beyond that
 /// @throws std::runtime_error for a description that is false
-std::optional<TiffStack> OmeStack(const TiffFile& file);
+std::optional<TiffStack> OmeStack(const TiffFile& file, std::int64_t time);
 
 /// The pages of a file without description, which are slices. Pages of another size than most are
 /// left out, with a warning.

@@ -141,6 +141,7 @@ MincAxis Minc1File::Axis(int dimension) const
   const std::vector<double> cosines = this->Numbers(variable, "direction_cosines");
   axis.startMm = start.empty() ? 0.0 : start.front();
   axis.stepMm = step.empty() ? 1.0 : step.front();
+  axis.hasStep = !step.empty();
   if (cosines.size() == 3)
   {
     axis.cosines = glm::dvec3(cosines[0], cosines[1], cosines[2]);

@@ -158,6 +158,7 @@ MincAxis Minc2File::Axis(const std::string& name, std::size_t length) const
   const std::vector<double> cosines = this->Numbers(dimension, "direction_cosines");
   axis.startMm = start.empty() ? 0.0 : start.front();
   axis.stepMm = step.empty() ? 1.0 : step.front();
+  axis.hasStep = !step.empty();
   if (cosines.size() == 3)
   {
     axis.cosines = glm::dvec3(cosines[0], cosines[1], cosines[2]);

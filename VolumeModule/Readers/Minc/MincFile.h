@@ -15,13 +15,14 @@
 namespace varimarch
 {
 
-/// A dimension of the image.
+/// A dimension of the image. Start and step of time are in seconds.
 struct MincAxis
 {
   std::string name; ///< "xspace", "yspace", "zspace", "time", "vector_dimension" or another
   std::size_t length = 0;
   double startMm = 0.0;
   double stepMm = 1.0;
+  bool hasStep = false;              ///< true if the file states the step
   std::optional<glm::dvec3> cosines; ///< direction in RAS; default: the axis of the name
   bool isIrregular = false;
 };

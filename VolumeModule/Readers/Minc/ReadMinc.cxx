@@ -8,6 +8,7 @@
 #include "Readers/Minc/MincFile.h"
 #include "Readers/Rescale.h"
 #include "Readers/Signatures.h"
+#include "Readers/Times.h"
 
 #include <algorithm>
 #include <cmath>
@@ -107,24 +108,57 @@ ImageGeometry GeometryOf(const std::vector<MincAxis>& axes)
   return geometry;
 }
 
-/// The first volume: of the dimensions that are slower, only the first index.
-MincPart FirstVolume(const MincFile& file)
+/// True for an axis along which volumes follow each other.
+bool IsOfVolumes(const MincAxis& axis)
+{
+  return WorldAxis(axis) < 0 && !IsComponents(axis);
+}
+
+/// The times of a file: seconds, if time is the only axis beside those of a volume.
+VolumeTimes TimesOf(const MincFile& file)
+{
+  double count = 1.0;
+  std::vector<MincAxis> others;
+  for (const MincAxis& axis : file.axes)
+  {
+    if (IsOfVolumes(axis))
+    {
+      others.push_back(axis);
+      count *= double(axis.length);
+    }
+  }
+  const auto offered = std::int64_t(std::min(count, double(MostTimes)));
+  const bool isTime = others.size() == 1 && others[0].name == "time" && !others[0].isIrregular;
+  return isTime && others[0].hasStep ? EvenTimes(offered, others[0].startMm, others[0].stepMm)
+                                     : NumberedTimes(offered);
+}
+
+/// The volume at one place of the dimensions that are slower, the last of which counts fastest.
+MincPart VolumeAt(const MincFile& file, std::int64_t time)
 {
   MincPart part;
   for (const MincAxis& axis : file.axes)
   {
-    const bool isKept = WorldAxis(axis) >= 0 || IsComponents(axis);
     part.start.push_back(0);
-    part.count.push_back(isKept ? axis.length : 1);
+    part.count.push_back(IsOfVolumes(axis) ? 1 : axis.length);
+  }
+  auto left = std::size_t(time);
+  for (std::size_t i = file.axes.size(); i-- > 0;)
+  {
+    if (IsOfVolumes(file.axes[i]))
+    {
+      const std::size_t length = std::max<std::size_t>(file.axes[i].length, 1);
+      part.start[i] = left % length;
+      left /= length;
+    }
   }
   return part;
 }
 
 vtkSmartPointer<vtkImageData> ReadSlices(
-  MincFile& file, const VoxelLayout& layout, ReadProgress& progress)
+  MincFile& file, MincPart part, const VoxelLayout& layout, ReadProgress& progress)
 {
   auto image = AllocatedImage(layout);
-  MincPart part = FirstVolume(file);
   const std::size_t slowest = file.axes.size() - 3 - (IsComponents(file.axes.back()) ? 1 : 0);
   const std::size_t sliceCount = part.count[slowest];
   part.count[slowest] = 1;
@@ -147,7 +181,7 @@ std::array<double, 2> ValidRange(const MincFile& file)
 }
 
 /// The maps to real values, of equal parts of the volume.
-std::vector<Rescale> RescalesOf(const std::string& path, MincFile& file)
+std::vector<Rescale> RescalesOf(const std::string& path, MincFile& file, MincPart part)
 {
   if (file.kind == NumberKind::Float || !file.hasExtremes)
   {
@@ -161,7 +195,6 @@ std::vector<Rescale> RescalesOf(const std::string& path, MincFile& file)
       "a range of " + std::to_string(range[1] - range[0]) + " and extremes along " +
         std::to_string(file.extremeRank) + " axes");
   }
-  MincPart part = FirstVolume(file);
   part.start.resize(file.extremeRank);
   part.count.resize(file.extremeRank);
   const std::vector<double> smallest = file.ReadExtremes("image-min", part);
@@ -177,24 +210,16 @@ std::vector<Rescale> RescalesOf(const std::string& path, MincFile& file)
 
 }
 
-Volume ReadMinc(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadMinc(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const auto file = IsHdf5(FirstBytes(path)) ? OpenMinc2(path) : OpenMinc1(path);
   const std::vector<MincAxis> axes = SpatialAxes(path, *file);
   const VoxelLayout layout = LayoutOf(path, *file, axes);
-  const std::vector<Rescale> rescales = RescalesOf(path, *file);
   Volume volume;
-  std::int64_t volumeCount = 1;
-  for (const MincAxis& axis : file->axes)
-  {
-    const bool isOther = WorldAxis(axis) < 0 && !IsComponents(axis);
-    volumeCount *= isOther ? std::int64_t(axis.length) : 1;
-  }
-  if (volumeCount > 1)
-  {
-    volume.warnings.push_back(OnlyFirstVolume(volumeCount));
-  }
-  volume.image = ReadSlices(*file, layout, progress);
+  TakeTimes(path, TimesOf(*file), options, volume);
+  const MincPart part = VolumeAt(*file, options.time);
+  const std::vector<Rescale> rescales = RescalesOf(path, *file, part);
+  volume.image = ReadSlices(*file, part, layout, progress);
   volume.image = Rescaled(path, volume.image, rescales);
   PlaceImage(path, InLps(GeometryOf(axes), LpsFromRas, 1.0), volume.image);
   return volume;
