@@ -22,32 +22,43 @@ protected:
 
   static constexpr int LevelCount = 4;
 
-  static std::array<int, 3> LevelSize(int level)
+  /// Voxels of level 0 per voxel of a level, along x, y and z.
+  using ScaleOf = std::function<std::array<int, 3>(int level)>;
+
+  static std::array<int, 3> EvenScale(int level) { return { 1 << level, 1 << level, 1 << level }; }
+  static std::array<int, 3> ScaleThatKeepsSlices(int level)
   {
-    return { 256 >> level, 256 >> level, 40 >> level };
+    return { 1 << level, 1 << level, 1 };
+  }
+
+  static std::array<int, 3> LevelSize(const std::array<int, 3>& scale)
+  {
+    return { 256 / scale[0], 256 / scale[1], 40 / scale[2] };
   }
 
   /// Every second, fourth and eighth voxel of a volume.
-  std::string WritePyramid(const ValueAt& at)
+  std::string WritePyramid(const ValueAt& at, const ScaleOf& scaleOf = EvenScale)
   {
-    return this->WriteLevels([&](int) { return at; });
+    return this->WriteLevels([&](int) { return at; }, scaleOf);
   }
 
-  std::string WriteLevels(const std::function<ValueAt(int level)>& of)
+  std::string WriteLevels(
+    const std::function<ValueAt(int level)>& of, const ScaleOf& scaleOf = EvenScale)
   {
     std::filesystem::remove_all(this->folder.Path("p.zarr"));
     std::string dataSets;
     for (int level = 0; level < LevelCount; ++level)
     {
       const std::string number = std::to_string(level);
-      const std::string scale = std::to_string(1 << level);
-      const Shape shape = { LevelSize(level), { 64, 8, 8 } };
-      this->WriteZarr(LevelOf(of(level), level), shape);
+      const std::array<int, 3> scale = scaleOf(level);
+      const Shape shape = { LevelSize(scale), { 64, 8, 8 } };
+      this->WriteZarr(LevelOf(of(level), scale), shape);
       std::filesystem::create_directories(this->folder.Path("p.zarr"));
       std::filesystem::rename(this->folder.Path("a.zarr"), this->folder.Path("p.zarr/" + number));
       dataSets += (level > 0 ? ", " : "") + (R"({"path": ")" + number) +
-        R"(", "coordinateTransformations": [{"type": "scale", "scale": [)" + scale + ", " + scale +
-        ", " + scale + "]}]}";
+        R"(", "coordinateTransformations": [{"type": "scale", "scale": [)" +
+        std::to_string(scale[2]) + ", " + std::to_string(scale[1]) + ", " +
+        std::to_string(scale[0]) + "]}]}";
     }
     this->folder.Write("p.zarr/.zattrs",
       R"({"multiscales": [{"version": "0.4", "axes": [{"name": "z", "type": "space"},
@@ -70,18 +81,17 @@ protected:
   }
 
 private:
-  static vtkSmartPointer<vtkImageData> LevelOf(const ValueAt& at, int level)
+  static vtkSmartPointer<vtkImageData> LevelOf(const ValueAt& at, const std::array<int, 3>& scale)
   {
-    const std::array<int, 3> size = LevelSize(level);
+    const std::array<int, 3> size = LevelSize(scale);
     auto image = vtkSmartPointer<vtkImageData>::New();
     image->SetDimensions(size.data());
     image->AllocateScalars(VTK_SHORT, 1);
     auto* const voxels = static_cast<short*>(image->GetScalarPointer());
-    const double scale = 1 << level;
     for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
     {
-      voxels[i] = short(at(scale * double(i % size[0]), scale * double(i / size[0] % size[1]),
-        scale * double(i / (vtkIdType(size[0]) * size[1]))));
+      voxels[i] = short(at(scale[0] * double(i % size[0]), scale[1] * double(i / size[0] % size[1]),
+        scale[2] * double(i / (vtkIdType(size[0]) * size[1]))));
     }
     return image;
   }

@@ -48,53 +48,76 @@ std::vector<float> Refined(MapperScene& scene)
   return drawn;
 }
 
+// The scales of levels may differ along the axes: microscopes halve slices, which are far apart.
 TEST_F(PyramidInChunks, LooksAsFromMemoryWithinTheTolerance)
 {
-  const std::string path = this->WritePyramid(WavesWithNoise);
-  vtkNew<vtkImageData> inMemory;
-  inMemory->DeepCopy(this->Read(path, 0));
-  ASSERT_FALSE(this->reader->HasVoxelsOnDisk());
-  MapperScene memory(inMemory);
-  UseThinFog(memory);
-  memory.mapper->SetErrorTolerance(1.0 / 1024.0);
-  const std::vector<float> expected = memory.Draw();
-  MapperScene disk(this->Read(path, MemoryForBricksOf8));
-  ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
-  UseThinFog(disk);
-  const std::vector<float> refined = Refined(disk);
-  EXPECT_LE(disk.mapper->GetLevelErrorBound(), 1.0 / 64.0);
-  EXPECT_LE(LargestDifference(refined, expected), 1.0 / 32.0);
-  EXPECT_GT(disk.mapper->GetRefinedBlocks(), 0);
-  EXPECT_LT(disk.mapper->GetRefinedBlocks(), disk.mapper->GetVisibleBlocks());
+  for (const auto scaleOf : { EvenScale, ScaleThatKeepsSlices })
+  {
+    const std::string path = this->WritePyramid(WavesWithNoise, scaleOf);
+    vtkNew<vtkImageData> inMemory;
+    inMemory->DeepCopy(this->Read(path, 0));
+    ASSERT_FALSE(this->reader->HasVoxelsOnDisk());
+    MapperScene memory(inMemory);
+    UseThinFog(memory);
+    memory.mapper->SetErrorTolerance(1.0 / 1024.0);
+    const std::vector<float> expected = memory.Draw();
+    MapperScene disk(this->Read(path, MemoryForBricksOf8));
+    ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+    UseThinFog(disk);
+    const std::vector<float> refined = Refined(disk);
+    EXPECT_LE(disk.mapper->GetLevelErrorBound(), 1.0 / 64.0);
+    EXPECT_LE(LargestDifference(refined, expected), 1.0 / 32.0);
+    EXPECT_GT(disk.mapper->GetRefinedBlocks(), 0);
+    EXPECT_LT(disk.mapper->GetRefinedBlocks(), disk.mapper->GetVisibleBlocks());
+  }
 }
 
-TEST_F(PyramidInChunks, TakesFewerVoxelsThanWithoutLevelsBetween)
+/// The numbers of blocks of voxels with levels between the voxels and the means, and without.
+class BlocksOfVoxels : public PyramidInChunks
 {
-  double wanted = 0.0;
-  std::vector<vtkIdType> taken;
-  for (const bool hasLevelsBetween : { true, false })
+protected:
+  void Draw(const ScaleOf& scaleOf)
   {
-    const auto at = [&](int level)
+    double wanted = 0.0;
+    for (const bool hasLevelsBetween : { true, false })
     {
-      const int left = level > 0 && !hasLevelsBetween ? 3000 : 0; // see the next test
-      return [left](double x, double y, double z) { return SlowWaves(x, y, z) + left; };
-    };
-    MapperScene scene(this->Read(this->WriteLevels(at), MemoryForBricksOf8));
-    ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
-    UseThinFog(scene);
-    scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
-    scene.Draw();
-    scene.Draw();
-    ASSERT_LT(scene.mapper->GetLevelErrorBound(), 1.0);
-    wanted = hasLevelsBetween ? 0.6 * scene.mapper->GetLevelErrorBound() : wanted;
-    scene.mapper->SetErrorTolerance(2.0 * wanted);
-    Refined(scene);
-    EXPECT_LE(scene.mapper->GetLevelErrorBound(), wanted);
-    taken.push_back(scene.mapper->GetRefinedBlocks());
+      const auto at = [&](int level)
+      {
+        const int left = level > 0 && !hasLevelsBetween ? 3000 : 0; // see a test below
+        return [left](double x, double y, double z) { return SlowWaves(x, y, z) + left; };
+      };
+      MapperScene scene(this->Read(this->WriteLevels(at, scaleOf), MemoryForBricksOf8));
+      ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+      UseThinFog(scene);
+      scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+      scene.Draw();
+      scene.Draw();
+      ASSERT_LT(scene.mapper->GetLevelErrorBound(), 1.0);
+      wanted = hasLevelsBetween ? 0.6 * scene.mapper->GetLevelErrorBound() : wanted;
+      scene.mapper->SetErrorTolerance(2.0 * wanted);
+      Refined(scene);
+      EXPECT_LE(scene.mapper->GetLevelErrorBound(), wanted);
+      (hasLevelsBetween ? this->with : this->without) = scene.mapper->GetRefinedBlocks();
+    }
+    this->RecordProperty("blocksWithLevelsBetween", int(this->with));
+    this->RecordProperty("blocksWithout", int(this->without));
   }
-  EXPECT_LT(4 * taken[0], taken[1]) << taken[0] << " of " << taken[1];
-  this->RecordProperty("blocksWithLevelsBetween", int(taken[0]));
-  this->RecordProperty("blocksWithout", int(taken[1]));
+
+  vtkIdType with = 0;
+  vtkIdType without = 0;
+};
+
+TEST_F(BlocksOfVoxels, AreFewerThanWithoutLevelsBetween)
+{
+  this->Draw(EvenScale);
+  EXPECT_LT(4 * this->with, this->without) << this->with << " of " << this->without;
+}
+
+// A level of half as many voxels along x and y is coarser too.
+TEST_F(BlocksOfVoxels, AreFewerThanWithoutLevelsThatKeepSlices)
+{
+  this->Draw(ScaleThatKeepsSlices);
+  EXPECT_LT(this->with, this->without) << this->with << " of " << this->without;
 }
 
 TEST_F(PyramidInChunks, LeavesOutLevelsWithValuesThatTheVoxelsDoNotHave)
@@ -118,7 +141,7 @@ TEST_F(PyramidInChunks, IsReadAtItsFinestLevelInBricksThatFit)
   const std::string path = this->WritePyramid(WavesWithNoise);
   MapperScene large(this->Read(path, MemoryForBricksOf8));
   UseThinFog(large);
-  EXPECT_EQ(large.image->GetDimensions()[0], LevelSize(0)[0]);
+  EXPECT_EQ(large.image->GetDimensions()[0], LevelSize(EvenScale(0))[0]);
   const std::vector<float> inLargeBricks = large.Draw();
   MapperScene small(this->Read(path, MemoryForBricksOf4));
   ASSERT_TRUE(this->reader->HasVoxelsOnDisk());

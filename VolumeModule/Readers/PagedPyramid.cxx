@@ -51,7 +51,7 @@ std::optional<Placing> PlacingOf(const ImageGeometry& level, const ImageGeometry
 }
 
 /// The side of the bricks of a level. Those of a coarser level cover as much as those of the
-/// finest, so that they are about as many.
+/// finest, so that they are about as many, or less along axes that are scaled less.
 int SideOfFinest(const DecodedPyramid& pyramid, std::size_t level, std::uint64_t mostBytes)
 {
   constexpr std::size_t MostCoarser = 3;
@@ -141,8 +141,9 @@ std::optional<PagedLevel> PagedPyramid::Coarser(
     return std::nullopt;
   }
   const glm::dvec3& scale = placing->scale;
+  // Bricks that are longer than those of the voxels would join what lies in several of them.
   const int ownSide = std::max(
-    LeastSide, int(std::lround(double(this->side) / std::cbrt(scale.x * scale.y * scale.z))));
+    LeastSide, int(std::lround(double(this->side) / std::max({ scale.x, scale.y, scale.z }))));
   const std::uint64_t ofBricks = BytesOfBricks(level, this->pyramid->Type(), ownSide);
   if (ofBricks > bytesLeft)
   {
