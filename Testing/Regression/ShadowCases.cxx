@@ -13,6 +13,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -133,22 +134,44 @@ glm::dvec3 FloorColorAt(
   return rgb;
 }
 
-RegressionScene ShadowOnGeometry()
+// A floor below the torso.
+// @param seen  the colour of a lit floor as it is seen
+RegressionScene TorsoAbove(const std::shared_ptr<MapperScene>& scene, double floorZ,
+  const std::function<glm::dvec3(glm::dvec3 rgb)>& seen)
 {
-  const auto scene = LitTorsoFromAbove();
-  const double floorZ = scene->volume->GetBounds()[4] - 20.0;
   scene->renderer->AddActor(Floor(floorZ));
   scene->renderer->ResetCameraClippingRange();
   RegressionScene regression = SceneOf(scene);
-  regression.truth = [scene, floorZ]
+  regression.truth = [scene, floorZ, seen]
   {
     const LightReaching left = LightThroughVolume(*scene, Tolerance);
     const glm::dmat4 gridFromWorld = glm::inverse(SceneSamples(*scene).Geometry().worldFromGrid);
     const std::vector<float> ofFloor = ImageOfLevel(*scene, floorZ,
-      [&](glm::dvec3 place) { return FloorColorAt(place, *scene, gridFromWorld, left); });
+      [&](glm::dvec3 place) { return seen(FloorColorAt(place, *scene, gridFromWorld, left)); });
     return ImageOver(scene->TruthOf(MaterialInOwnShadows(*scene, Tolerance), Tolerance), ofFloor);
   };
   return regression;
+}
+
+RegressionScene ShadowOnGeometry()
+{
+  const auto scene = LitTorsoFromAbove();
+  return TorsoAbove(
+    scene, scene->volume->GetBounds()[4] - 20.0, [](glm::dvec3 rgb) { return rgb; });
+}
+
+// A pane between the torso and the floor sends the light of its ambient colour.
+RegressionScene ShadowBehindGlass()
+{
+  constexpr double Opacity = 0.4;
+  constexpr double Farthest = -2000.0;
+  constexpr glm::dvec3 Rgb(0.1, 0.3, 0.9);
+  const auto scene = LitTorsoFromAbove();
+  const double floorZ = scene->volume->GetBounds()[4] - 20.0;
+  const vtkSmartPointer<vtkActor> pane = Plane(floorZ + 10.0, Farthest, { Rgb.x, Rgb.y, Rgb.z });
+  pane->GetProperty()->SetOpacity(Opacity);
+  scene->renderer->AddActor(pane);
+  return TorsoAbove(scene, floorZ, [Rgb](glm::dvec3 rgb) { return glm::mix(rgb, Rgb, Opacity); });
 }
 
 }
@@ -158,5 +181,6 @@ std::vector<RegressionCase> ShadowCases()
   return {
     { "ShadowOfGeometry", ShadowOfGeometry },
     { "ShadowOnGeometry", ShadowOnGeometry },
+    { "ShadowBehindGlass", ShadowBehindGlass },
   };
 }

@@ -41,6 +41,18 @@ TEST(InteractiveQuality, StaysFullWhileThereIsTime)
   EXPECT_EQ(quality.Level(), 0);
 }
 
+TEST(InteractiveQuality, NowIsThatOfTheNextPictureWhileTimesSuffice)
+{
+  InteractiveQuality quality;
+  const PictureQuality guessed = quality.Now(LargePicture);
+  EXPECT_GT(guessed.imageSampleDistance, 1.0);
+  EXPECT_EQ(quality.Next(0.1, LargePicture).imageSampleDistance, guessed.imageSampleDistance);
+  SecondsAfter(quality, 10, 0.1, 0.8);
+  const PictureQuality now = quality.Now(SmallPicture);
+  EXPECT_GT(now.imageSampleDistance, 1.0);
+  EXPECT_EQ(quality.Next(0.1, SmallPicture).imageSampleDistance, now.imageSampleDistance);
+}
+
 TEST(InteractiveQuality, IsInTimeAtTheLatestWithTheFifthPicture)
 {
   for (double fullSeconds : { 0.15, 0.4, 1.0, 2.0 })
