@@ -247,12 +247,12 @@ void vtkVariationFieldVolumeMapper::GetDepthImage(vtkImageData* image)
 
 double vtkVariationFieldVolumeMapper::GetEstimatedError()
 {
-  const auto& tolerance = this->Private->Last->Tolerance();
-  if (!tolerance)
+  const auto& found = this->Private->Last->FoundStep();
+  if (!found)
   {
     return 0.0;
   }
-  return this->Private->Last->HasUnknownError() ? 1.0 : tolerance->step.error;
+  return this->Private->Last->HasUnknownError() ? 1.0 : found->error;
 }
 
 void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -356,13 +356,13 @@ int vtkVariationFieldVolumeMapper::GetToleranceSearches()
 
 bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
 {
-  const auto& tolerance = this->Private->Last->Tolerance();
+  const auto& found = this->Private->Last->FoundStep();
   const varimarch::DrawnLevel& drawn = this->Private->Levels.Drawn();
   if (drawn.level == CoarseLevel || this->Private->Levels.LastMayBeRefined())
   {
     return false;
   }
-  return !tolerance || (tolerance->step.KeepsLimit() && !this->Private->Last->HasUnknownError());
+  return !found || (found->KeepsLimit() && !this->Private->Last->HasUnknownError());
 }
 
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInformation* information)

@@ -98,6 +98,11 @@
 class vtkImageData;
 class vtkStringArray;
 
+namespace varimarch
+{
+class SharedSearch;
+}
+
 class VARIMARCHVOLUME_EXPORT vtkVariationFieldVolumeMapper : public vtkMaterialVolumeMapper
 {
 public:
@@ -279,21 +284,6 @@ public:
    */
   bool GetErrorToleranceIsKept();
 
-  ///@{
-  /**
-   * Steps that several mappers share, each of which draws a part of one volume, as the processes of
-   * a parallel program do. FindSteps finds the longest steps that keep the ErrorTolerance of this
-   * mapper's part in a view that is about to be drawn, without its geometry: the sample distance
-   * [mm] and whether it goes with pre-integration. It returns false if there is nothing to draw, no
-   * tolerance, or if somebody interacts. SetCommonSteps replaces the search of later images that
-   * are not interactive; a distance of 0, the default, ends this. Of all parts, the shortest
-   * distance, with pre-integration if any part has found it, keeps the tolerance.
-   */
-  virtual bool FindSteps(
-    vtkRenderer* renderer, vtkVolume* volume, double& sampleDistance, bool& preIntegration);
-  virtual void SetCommonSteps(double sampleDistance, bool preIntegration);
-  ///@}
-
   /**
    * Shader files of the last frame, one per slot, as paths below VolumeModule/Shaders; empty if
    * packets on the CPU have marched its rays.
@@ -351,6 +341,7 @@ private:
   void ReportOnce(const std::string& problem);
   void WarnOnce(const std::string& warning);
 
+  friend class varimarch::SharedSearch;
   struct Internals;
   std::unique_ptr<Internals> Private;
 

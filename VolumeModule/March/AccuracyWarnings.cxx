@@ -113,10 +113,10 @@ std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMar
                 "far values, such as a fill value, or draw a mean of a range without them. ";
   }
   warnings += WarningsOfMissingLight(marcher);
-  warnings += marcher.Tolerance() ? WarningsOfUnknownLight(marcher) : "";
-  if (marcher.Tolerance() && !marcher.Tolerance()->step.KeepsLimit())
+  warnings += marcher.FoundStep() ? WarningsOfUnknownLight(marcher) : "";
+  if (marcher.FoundStep() && !marcher.FoundStep()->KeepsLimit())
   {
-    warnings += ExceededTolerance(mapper->GetErrorTolerance(), marcher.Tolerance()->step);
+    warnings += ExceededTolerance(mapper->GetErrorTolerance(), *marcher.FoundStep());
   }
   return warnings;
 }

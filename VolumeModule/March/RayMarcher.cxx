@@ -73,15 +73,23 @@ void RayMarcher::UpdateResources(const Frame& frame, MarchPlan& plan)
   }
 }
 
-std::optional<CommonSteps> RayMarcher::FindSteps(const Frame& frame)
+std::optional<PreparedTrials> RayMarcher::PrepareTrials(const Frame& frame)
 {
-  MarchPlan plan = this->Prepare(frame, {});
-  this->SearchSteps(frame, plan);
-  if (!this->tolerance.Choice())
+  const MarchPlan plan = this->Prepare(frame, {});
+  if (!(plan.budget.StepTolerance() > 0.0))
   {
     return std::nullopt;
   }
-  return CommonSteps{ plan.sampleDistanceMm, plan.integration == Integration::PreIntegrated };
+  return PreparedTrials{ plan, FactsOf(MarchOf(frame, plan), this->resources.First()),
+    this->ToleranceInputsOf(frame, plan) };
+}
+
+std::vector<float> RayMarcher::DrawTrial(
+  const Frame& frame, const MarchPlan& plan, const TrialImage& image)
+{
+  const MarchPlan tried = image.PlanOf(plan);
+  this->resources.UpdatePreIntegrated(frame, tried);
+  return this->MarcherOf(tried).DrawTrial(frame, tried);
 }
 
 void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& quality)
@@ -190,15 +198,16 @@ void RayMarcher::TakeSteps(const Frame& frame, MarchPlan& plan)
   }
 }
 
-void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan) const
+void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan)
 {
+  this->foundStep = this->commonSteps->step;
   if (plan.choosesIntegration)
   {
     plan.integration =
       this->commonSteps->isPreIntegrated ? Integration::PreIntegrated : Integration::Midpoint;
   }
   plan.sampleDistanceMm =
-    std::max(this->commonSteps->sampleDistanceMm, ShortestDistanceWithSkyMm(frame, plan.marcher));
+    std::max(this->foundStep->sampleDistance, ShortestDistanceWithSkyMm(frame, plan.marcher));
 }
 
 // If there is a tolerance, the steps that keep it replace the requested ones.
@@ -206,6 +215,7 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
 {
   if (!(plan.budget.StepTolerance() > 0.0))
   {
+    this->foundStep.reset();
     this->tolerance.Forget();
     this->shaders.ReleaseTrial(frame.view.window);
     return;
@@ -218,12 +228,11 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
     }
   };
   bool hasTried = false;
-  const auto drawTrial = [&](const MarchPlan& tried)
+  const auto drawTrial = [&](const TrialImage& image)
   {
     stopIfUnwanted();
     hasTried = true;
-    this->resources.UpdatePreIntegrated(frame, tried);
-    return this->MarcherOf(tried).DrawTrial(frame, tried);
+    return this->DrawTrial(frame, plan, image);
   };
   this->tolerance.Update(
     MarchOf(frame, plan), this->resources.First(), this->ToleranceInputsOf(frame, plan), drawTrial);
@@ -231,6 +240,7 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
   {
     stopIfUnwanted();
   }
+  this->foundStep = this->tolerance.Choice()->step;
   plan.integration = this->tolerance.Choice()->integration;
   // Shaders that count fetches may draw with steps that were found with packets.
   plan.sampleDistanceMm = std::max(
@@ -321,6 +331,7 @@ void RayMarcher::Release(vtkWindow* releasedWindow)
   this->resampled.Release(releasedWindow);
   this->accumulator.Release(releasedWindow);
   this->passes.Release(releasedWindow);
+  this->foundStep.reset();
   this->tolerance.Forget();
   this->window = nullptr;
 }

@@ -3,6 +3,7 @@
 
 #include "Core/Quality/InteractiveQuality.h"
 #include "Frame/MarchPlan.h"
+#include "March/CommonSteps.h"
 #include "March/Device/BoxDrawing.h"
 #include "March/Device/ShaderMarcher.h"
 #include "March/ImageAccumulator.h"
@@ -25,11 +26,12 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
-/// Steps that several volumes share, each of which is a part of a larger one.
-struct CommonSteps
+/// A frame prepared for a search that draws trial images together with other marchers.
+struct PreparedTrials
 {
-  double sampleDistanceMm;
-  bool isPreIntegrated; ///< True for pre-integration, false for midpoints, if a trial may choose.
+  MarchPlan plan;
+  SearchFacts facts;
+  ToleranceInputs inputs;
 };
 
 /// Draws frames: updates the resources of a frame, plans its march, and passes both to the marcher
@@ -49,8 +51,12 @@ public:
   /// shadows.
   void DimGeometry(
     const Frame& frame, const std::optional<PictureQuality>& quality, const ReceivedLight& light);
-  /// The steps that keep the tolerance of a frame; none if it has no tolerance.
-  std::optional<CommonSteps> FindSteps(const Frame& frame);
+  /// Prepares the trial images of a frame; none if it has no tolerance.
+  std::optional<PreparedTrials> PrepareTrials(const Frame& frame);
+  /// Draws a trial image.
+  /// @param plan  the one that was prepared, or that of the image
+  /// @return  premultiplied RGBA of its pixels
+  std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan, const TrialImage& image);
   /// Sets the steps of images that are not interactive; none: those of a search.
   void SetCommonSteps(const std::optional<CommonSteps>& steps) { this->commonSteps = steps; }
 
@@ -78,8 +84,8 @@ public:
   double UsedSampleDistanceMm() const { return this->usedSampleDistanceMm; }
   /// The sample distance that the frame requested.
   double WantedSampleDistanceMm() const { return this->wantedSampleDistanceMm; }
-  /// See ToleranceSearch::Choice.
-  const std::optional<ToleranceChoice>& Tolerance() const { return this->tolerance.Choice(); }
+  /// The steps that were found for the last image; none if it had no tolerance.
+  const std::optional<StepChoice>& FoundStep() const { return this->foundStep; }
   /// True if the table of a transfer function misses parts of it.
   bool MissesCurve() const { return this->resources.MissesCurve(); }
   bool MergesValues() const { return this->resources.MergesValues(); }
@@ -123,7 +129,7 @@ private:
   /// Searches the steps of an image, or takes those that were set.
   void TakeSteps(const Frame& frame, MarchPlan& plan);
   void SearchSteps(const Frame& frame, MarchPlan& plan);
-  void TakeCommonSteps(const Frame& frame, MarchPlan& plan) const;
+  void TakeCommonSteps(const Frame& frame, MarchPlan& plan);
   ToleranceInputs ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const;
   void DrawImage(const Frame& frame, const MarchPlan& plan);
   FrameMarcher& MarcherOf(const MarchPlan& plan);
@@ -137,6 +143,7 @@ private:
   GeometryDimming dimming{ resources, boxes };
   ToleranceSearch tolerance;
   std::optional<CommonSteps> commonSteps;
+  std::optional<StepChoice> foundStep;
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };

@@ -2,8 +2,6 @@
 
 #include "March/ToleranceSearch.h"
 
-#include <algorithm>
-
 namespace varimarch
 {
 
@@ -29,12 +27,11 @@ bool ToleranceSearch::KeepBesideMovedCasters(Trial trial, const ToleranceInputs&
   {
     return false;
   }
-  trial.pixels.width = std::max(trial.pixels.width / 2, 1);
-  trial.pixels.height = std::max(trial.pixels.height / 2, 1);
+  trial.isSmall = true;
   const Integration rule = this->choice->integration;
   const double distanceMm = this->choice->step.sampleDistance;
-  if (ErrorOfLimit(trial.Draw(rule, distanceMm), trial.Draw(rule, distanceMm / 4.0), trial.limit) >
-    1.0)
+  if (ErrorOfLimit(
+        trial.Draw(rule, distanceMm), trial.Draw(rule, distanceMm / 4.0), trial.facts.limit) > 1.0)
   {
     return false;
   }

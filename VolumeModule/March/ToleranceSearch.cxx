@@ -3,11 +3,6 @@
 
 #include "March/ToleranceSearch.h"
 
-#include "Core/Recipe/MaterialRecipe.h"
-#include "Frame/FrameMeasures.h"
-#include "Frame/PropertyTransferFunction.h"
-#include "March/SkyParameters.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,65 +12,17 @@ namespace varimarch
 namespace
 {
 
-// The range of sample distances, in voxels.
-constexpr double CoarsestVoxels = 4.0;
-constexpr double FinestVoxels = 1.0 / 128.0;
-// At least this many samples on the longest ray: with fewer, halving the distance would not change
-// the image.
-constexpr double FewestSamples = 16.0;
-// At least this many samples across the thinnest piece of a volume, for the same reason: a segment
-// has four samples, and one of half the length must still end in the piece. In pieces thinner than
-// a quarter of a voxel, four samples suffice.
-constexpr double FewestAcross = 8.0;
-constexpr double LeastOfCoarsestVoxels = 1.0 / 32.0;
-
-// The cost of a pre-integrated step, in midpoint steps. For materials, which are then linear
-// between two samples, packets and shaders differ (2.1 to 2.9 with packets in seven images).
-constexpr double PreIntegrationCost = 1.33;
-constexpr double LinearCostOfPackets = 2.5;
-constexpr double LinearCostOfShaders = 1.15;
-
-double PreIntegrationCostOf(const VolumeMarch& march)
-{
-  if (!MarchesMaterial(march.settings))
-  {
-    return PreIntegrationCost;
-  }
-  return march.plan.marcher == Marcher::Processor ? LinearCostOfPackets : LinearCostOfShaders;
-}
-
 // The factor by which pre-integration must reduce the error at the same sample distance, so that
 // its steps may be longer by the ratio of the costs.
-double GainThatPays(const VolumeMarch& march)
+double GainThatPays(const SearchFacts& facts)
 {
   constexpr double Order = 1.6;
-  return std::pow(PreIntegrationCostOf(march), Order);
-}
-
-// A peak of the transfer function wider than this part of the value range is hit by more than one
-// in a thousand samples, so that a trial shows it.
-constexpr double NarrowPeak = 1.0 / 256.0;
-
-// A larger optical table loses so much in its pre-integrated table that edges of the transfer
-// function move, equally at every sample distance: a shorter distance would not show that error.
-constexpr std::size_t MostPreIntegratedEntries = 8192;
-
-bool LosesByPreIntegration(const VolumeResources& volume)
-{
-  return volume.Materials().OpticalTables().Table().entries.size() > MostPreIntegratedEntries;
+  return std::pow(facts.preIntegrationCost, Order);
 }
 
 // A pre-integrated table hits or misses nodes that lie closer together than its values by chance,
 // and so does the table of half as many: their difference has been 1/3.5 of the error.
 constexpr double MostByChance = 4.0;
-
-bool HasNodesBetweenTableValues(const VolumeMarch& march, const VolumeResources& volume)
-{
-  const OpticalTable& table = volume.Materials().OpticalTables().Table();
-  return MostPreIntegratedValues *
-    TransferFunctionOf(march.frame.material.property).SmallestNodeGap() <
-    table.lastValue - table.firstValue;
-}
 
 // A pre-integrated table has 1024 values on a side, which also moves edges: a difference below this
 // many times the limit may be an error of the table.
@@ -106,26 +53,24 @@ ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const E
   return choice;
 }
 
-// True if the opacity of a composite depends on the transfer function of its values alone.
-bool IsOpacityOfValues(RenderSettings settings)
-{
-  settings.shading = false;
-  return !MarchesMaterial(settings);
 }
 
-StepRange RangeOf(const VolumeMarch& march)
+MarchPlan TrialImage::PlanOf(const MarchPlan& image) const
 {
-  const double voxelMm = SmallestSpacingMm(march.frame);
-  const double acrossMm =
-    std::max(ThinnestPieceMm(march.frame) / FewestAcross, LeastOfCoarsestVoxels * voxelMm);
-  const double coarsestMm =
-    std::min({ CoarsestVoxels * voxelMm, LongestRayMm(march.frame) / FewestSamples, acrossMm });
-  // The search also draws at half of the finest distance.
-  const double finestMm = std::max(
-    FinestVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
-  return { coarsestMm, std::min(finestMm, coarsestMm) };
-}
-
+  Viewport pixels = TrialPixels(image.viewport);
+  if (this->isSmall)
+  {
+    pixels.width = std::max(pixels.width / 2, 1);
+    pixels.height = std::max(pixels.height / 2, 1);
+  }
+  MarchPlan tried = image.WithViewport(pixels);
+  tried.pass = RayPass::Whole;
+  tried.integration = this->integration;
+  tried.sampleDistanceMm = this->sampleDistanceMm;
+  tried.isTrial = true;
+  tried.isLit = this->isLit;
+  tried.hasSmallTable = this->hasSmallTable;
+  return tried;
 }
 
 void ToleranceSearch::Forget()
@@ -185,9 +130,12 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
   }
   this->view = inputs.view;
   const bool serves = this->choice && this->Serves(*this->choice, inputs);
-  const Trial trial{ march, volume, draw, march.plan.budget.StepLimit(),
-    TrialPixels(march.plan.viewport) };
-  if (!serves && !this->TakeRemembered(inputs) && !this->KeepBesideMovedCasters(trial, inputs))
+  if (serves || this->TakeRemembered(inputs))
+  {
+    return;
+  }
+  const Trial trial{ FactsOf(march, volume), draw };
+  if (!this->KeepBesideMovedCasters(trial, inputs))
   {
     ToleranceChoice made = this->ChooseSteps(trial, inputs);
     this->Remember();
@@ -212,15 +160,12 @@ const std::vector<float>& ToleranceSearch::Trial::Draw(
 const std::vector<float>& ToleranceSearch::Trial::DrawUnlit(
   Integration integration, double sampleDistanceMm)
 {
-  const bool hasLight = this->march.settings.shading || this->march.settings.occlusion;
-  return this->DrawOnce(!hasLight, integration, sampleDistanceMm);
+  return this->DrawOnce(!this->facts.hasLight, integration, sampleDistanceMm);
 }
 
 std::vector<float> ToleranceSearch::Trial::DrawWithSmallTable(double sampleDistanceMm)
 {
-  MarchPlan tried = this->PlanOf(false, Integration::PreIntegrated, sampleDistanceMm);
-  tried.hasSmallTable = true;
-  return this->draw(tried);
+  return this->draw({ Integration::PreIntegrated, sampleDistanceMm, false, true, this->isSmall });
 }
 
 const std::vector<float>& ToleranceSearch::Trial::DrawOnce(
@@ -229,21 +174,9 @@ const std::vector<float>& ToleranceSearch::Trial::DrawOnce(
   std::vector<float>& image = this->drawn[{ isLit, integration, distanceMm }];
   if (image.empty())
   {
-    image = this->draw(this->PlanOf(isLit, integration, distanceMm));
+    image = this->draw({ integration, distanceMm, isLit, false, this->isSmall });
   }
   return image;
-}
-
-MarchPlan ToleranceSearch::Trial::PlanOf(
-  bool isLit, Integration integration, double distanceMm) const
-{
-  MarchPlan tried = this->march.plan.WithViewport(this->pixels);
-  tried.pass = RayPass::Whole;
-  tried.integration = integration;
-  tried.sampleDistanceMm = distanceMm;
-  tried.isTrial = true;
-  tried.isLit = isLit;
-  return tried;
 }
 
 FoundSteps ToleranceSearch::Trial::Find(
@@ -251,7 +184,7 @@ FoundSteps ToleranceSearch::Trial::Find(
 {
   const auto drawAt = [&](double sampleDistanceMm)
   { return this->Draw(integration, sampleDistanceMm); };
-  return FindSampleDistance(drawAt, this->limit, RangeOf(this->march), firstMm, exact);
+  return FindSampleDistance(drawAt, this->facts.limit, this->facts.range, firstMm, exact);
 }
 
 FoundSteps ToleranceSearch::Trial::FindFrom(Integration integration, double earlierMm)
@@ -259,14 +192,14 @@ FoundSteps ToleranceSearch::Trial::FindFrom(Integration integration, double earl
   const auto drawAt = [&](double sampleDistanceMm)
   { return this->Draw(integration, sampleDistanceMm); };
   return FindSampleDistanceFrom(
-    earlierMm, drawAt, this->limit, RangeOf(this->march), SmallestSpacingMm(this->march.frame));
+    earlierMm, drawAt, this->facts.limit, this->facts.range, this->facts.firstMm);
 }
 
 ToleranceChoice ToleranceSearch::ChoiceOf(
   Trial& trial, const ToleranceInputs& inputs, Integration integration, const FoundSteps& found)
 {
   const ToleranceChoice choice{ inputs, integration, found.choice };
-  return WithMissed(choice, MissedOfLimit(trial, choice), trial.limit);
+  return WithMissed(choice, MissedOfLimit(trial, choice), trial.facts.limit);
 }
 
 // The rule is chosen again only for another transfer function or volume, not while a camera moves.
@@ -277,10 +210,9 @@ std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
   const bool hasRule = this->choice && this->choice->inputs.HasRuleOf(inputs);
   if (hasRule && this->choice->inputs.voxels == inputs.voxels)
   {
-    const FoundSteps found =
-      trial.Find(this->choice->integration, SmallestSpacingMm(trial.march.frame));
+    const FoundSteps found = trial.Find(this->choice->integration, trial.facts.firstMm);
     return WithMissed({ inputs, this->choice->integration, found.choice },
-      this->choice->missedOfLimit, trial.limit);
+      this->choice->missedOfLimit, trial.facts.limit);
   }
   if (!hasRule || !this->isSeries)
   {
@@ -295,16 +227,24 @@ std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
 
 ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
 {
-  if (const std::optional<ToleranceChoice> made = this->ChooseByLastRule(trial, inputs))
-  {
-    return *made;
-  }
+  const std::optional<ToleranceChoice> made = this->ChooseByLastRule(trial, inputs);
+  return made ? *made : ChooseAnew(trial, inputs);
+}
+
+ToleranceChoice ToleranceSearch::ChooseAnew(const SearchFacts& facts, const TrialDrawing& draw)
+{
+  Trial trial{ facts, draw };
+  return ChooseAnew(trial, {});
+}
+
+ToleranceChoice ToleranceSearch::ChooseAnew(Trial& trial, const ToleranceInputs& inputs)
+{
   // Each search begins at the same distance, so that its result does not depend on an earlier one.
-  const double firstMm = SmallestSpacingMm(trial.march.frame);
-  const Integration usual = trial.march.settings.integration;
+  const double firstMm = trial.facts.firstMm;
+  const Integration usual = trial.facts.usual;
   const FoundSteps found = trial.Find(usual, firstMm);
   const ToleranceChoice choice = ChoiceOf(trial, inputs, usual, found);
-  if (!trial.march.plan.choosesIntegration || !PreIntegrationMayPay(trial, choice, found.finest))
+  if (!trial.facts.choosesIntegration || !PreIntegrationMayPay(trial, choice, found.finest))
   {
     return choice;
   }
@@ -312,9 +252,8 @@ ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs&
   const ToleranceChoice preIntegrated = ChoiceOf(trial, inputs, Other,
     choice.step.KeepsLimit() ? trial.Find(Other, choice.step.sampleDistance, found.finest)
                              : trial.Find(Other, firstMm));
-  return IsBetter(preIntegrated.step, PreIntegrationCostOf(trial.march), choice.step)
-    ? preIntegrated
-    : choice;
+  return IsBetter(preIntegrated.step, trial.facts.preIntegrationCost, choice.step) ? preIntegrated
+                                                                                   : choice;
 }
 
 // The error of pre-integration at the chosen distance decides, since it takes one image where a
@@ -326,39 +265,32 @@ bool ToleranceSearch::PreIntegrationMayPay(
   {
     return true;
   }
-  const bool losesTooMuch =
-    !MarchesMaterial(trial.march.settings) && LosesByPreIntegration(trial.volume);
-  if (losesTooMuch || !choice.step.KeepsLimit())
+  if (!trial.facts.mayPreIntegrate || !choice.step.KeepsLimit())
   {
-    return !losesTooMuch;
+    return trial.facts.mayPreIntegrate;
   }
   const double distanceMm = choice.step.sampleDistance;
-  if (distanceMm >= RangeOf(trial.march).coarsest)
+  if (distanceMm >= trial.facts.range.coarsest)
   {
     return false;
   }
   const std::vector<float> image = trial.Draw(Integration::PreIntegrated, distanceMm);
-  return GainThatPays(trial.march) * ErrorOfLimit(image, finest, trial.limit) < 1.0;
+  return GainThatPays(trial.facts) * ErrorOfLimit(image, finest, trial.facts.limit) < 1.0;
 }
 
 // A shorter distance reveals neither a peak that lies between all samples nor what the table of a
 // pre-integration loses.
 double ToleranceSearch::MissedOfLimit(Trial& trial, const ToleranceChoice& choice)
 {
-  if (trial.march.settings.blend != Blend::Composite || !trial.march.plan.triesPreIntegration ||
-    !IsOpacityOfValues(trial.march.settings))
+  if (!trial.facts.looksForPeaks)
   {
     return 0.0;
   }
-  if (choice.integration == Integration::PreIntegrated && !trial.march.settings.shading)
+  if (choice.integration == Integration::PreIntegrated && !trial.facts.isShaded)
   {
     return LostOfLimit(trial, choice.step.sampleDistance);
   }
-  const ValueRange& resolved = trial.volume.Blocks().Texels().resolved;
-  const double range = resolved.upper - resolved.lower;
-  const bool hasNarrowPeaks =
-    TransferFunctionOf(trial.march.frame.material.property).SmallestNodeGap() < NarrowPeak * range;
-  return hasNarrowPeaks ? MissedPeaksOfLimit(trial, choice) : 0.0;
+  return trial.facts.hasNarrowPeaks ? MissedPeaksOfLimit(trial, choice) : 0.0;
 }
 
 // Pre-integration misses no peak: its difference from the sampled image, less the errors of its own
@@ -371,8 +303,8 @@ double ToleranceSearch::MissedPeaksOfLimit(Trial& trial, const ToleranceChoice& 
     OpacityOf(trial.DrawUnlit(Integration::PreIntegrated, distanceMm));
   const std::vector<float> fine =
     OpacityOf(trial.DrawUnlit(Integration::PreIntegrated, 0.5 * distanceMm));
-  const double difference =
-    DifferenceOfLimit(steps, fine, trial.limit) - DifferenceOfLimit(coarse, fine, trial.limit);
+  const double difference = DifferenceOfLimit(steps, fine, trial.facts.limit) -
+    DifferenceOfLimit(coarse, fine, trial.facts.limit);
   if (difference <= CertainlyMissed)
   {
     return 0.0;
@@ -385,14 +317,13 @@ double ToleranceSearch::MissedPeaksOfLimit(Trial& trial, const ToleranceChoice& 
 // a table of half as many differs by the error or more, unless nodes lie between its values.
 double ToleranceSearch::LostOfLimit(Trial& trial, double distanceMm)
 {
-  if (!LosesByPreIntegration(trial.volume))
+  if (!trial.facts.losesByTable)
   {
     return 0.0;
   }
   const double difference = DifferenceOfLimit(trial.DrawWithSmallTable(distanceMm),
-    trial.DrawUnlit(Integration::PreIntegrated, distanceMm), trial.limit);
-  return HasNodesBetweenTableValues(trial.march, trial.volume) ? MostByChance * difference
-                                                               : difference;
+    trial.DrawUnlit(Integration::PreIntegrated, distanceMm), trial.facts.limit);
+  return trial.facts.hasNodesInTable ? MostByChance * difference : difference;
 }
 
 }

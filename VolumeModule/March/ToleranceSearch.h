@@ -2,6 +2,7 @@
 #define Varimarch_March_ToleranceSearch_h
 
 #include "Core/Quality/StepSearch.h"
+#include "March/SearchFacts.h"
 #include "March/ToleranceInputs.h"
 
 #include <functional>
@@ -24,8 +25,21 @@ struct ToleranceChoice
   bool isOfOtherCasters = false; ///< True if it was found before geometry moved, and tried since.
 };
 
-/// Draws a trial image and returns premultiplied RGBA of the pixels of the plan's viewport.
-using TrialDrawing = std::function<std::vector<float>(const MarchPlan& tried)>;
+/// A trial image of a search.
+struct TrialImage
+{
+  Integration integration;
+  double sampleDistanceMm;
+  bool isLit;         ///< False for opacities alone, which do not depend on light.
+  bool hasSmallTable; ///< True for half of the pre-integrated values.
+  bool isSmall;       ///< True for a quarter of the rays.
+
+  /// The plan that draws it.
+  MarchPlan PlanOf(const MarchPlan& image) const;
+};
+
+/// Draws a trial image and returns premultiplied RGBA of its pixels.
+using TrialDrawing = std::function<std::vector<float>(const TrialImage& tried)>;
 
 /// Finds the steps that keep a frame's error tolerance by drawing trial images with some of its
 /// rays, and reuses them as long as they are valid: Documentation/Decisions/0008. It remembers the
@@ -39,6 +53,9 @@ public:
   void Update(const VolumeMarch& march, const VolumeResources& volume,
     const ToleranceInputs& inputs, const TrialDrawing& draw);
   void Forget();
+  /// The steps of a volume of which nothing but these facts and its trial images is known, without
+  /// those of earlier images. The choice has no inputs.
+  static ToleranceChoice ChooseAnew(const SearchFacts& facts, const TrialDrawing& draw);
 
   /// The choice for the last image, or for an earlier one from nearly the same view. Empty if the
   /// last image had no tolerance.
@@ -51,11 +68,9 @@ private:
   /// The trial images of one search.
   struct Trial
   {
-    const VolumeMarch& march;
-    const VolumeResources& volume;
+    SearchFacts facts;
     const TrialDrawing& draw;
-    ErrorLimit limit;
-    Viewport pixels;
+    bool isSmall = false; ///< True for images with a quarter of the rays.
     /// The images drawn so far, by lighting, rule and sample distance.
     std::map<std::tuple<bool, Integration, double>, std::vector<float>> drawn = {};
 
@@ -69,7 +84,6 @@ private:
 
   private:
     const std::vector<float>& DrawOnce(bool isLit, Integration integration, double distanceMm);
-    MarchPlan PlanOf(bool isLit, Integration integration, double distanceMm) const;
   };
 
   /// Finds out what has changed since the last image.
@@ -81,6 +95,7 @@ private:
   bool TakeRemembered(const ToleranceInputs& inputs);
   void Remember();
   ToleranceChoice ChooseSteps(Trial trial, const ToleranceInputs& inputs) const;
+  static ToleranceChoice ChooseAnew(Trial& trial, const ToleranceInputs& inputs);
   /// A choice by the rule of the last one; none if another rule may be better.
   std::optional<ToleranceChoice> ChooseByLastRule(
     Trial& trial, const ToleranceInputs& inputs) const;

@@ -53,11 +53,10 @@ ImageOfProcesses::ImageOfProcesses() = default;
 
 ImageOfProcesses::~ImageOfProcesses() = default;
 
-std::string ImageOfProcesses::Begin(
-  vtkRenderer* renderer, vtkMultiProcessController* controller, bool inFloats)
+std::string ImageOfProcesses::Begin(vtkRenderer* renderer, vtkMultiProcessController* controller,
+  const OwnerOrder& order, bool inFloats)
 {
   this->End();
-  const OwnerOrder order = OrderOfProcesses(renderer, controller);
   vtkIceTCompositePass* const pass = CompositePassOf(renderer);
   vtkOrderedCompositingHelper* const helper = pass ? pass->GetOrderedCompositingHelper() : nullptr;
   if (!helper)

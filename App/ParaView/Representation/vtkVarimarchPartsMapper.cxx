@@ -108,45 +108,38 @@ void vtkVarimarchPartsMapper::ForwardSettings(vtkVolume* volume)
   }
 }
 
-bool vtkVarimarchPartsMapper::FindSteps(
-  vtkRenderer* renderer, vtkVolume* volume, double& sampleDistance, bool& preIntegration)
+std::vector<int> vtkVarimarchPartsMapper::PartsFrontToBack(vtkRenderer* renderer, vtkVolume* volume)
 {
-  this->ForwardSettings(volume);
-  bool isFound = false;
-  for (const std::unique_ptr<Drawer>& drawer : this->Drawers)
-  {
-    double distance = 0.0;
-    bool isPreIntegrated = false;
-    if (drawer->Mapper->FindSteps(renderer, volume, distance, isPreIntegrated))
-    {
-      sampleDistance = isFound ? std::min(sampleDistance, distance) : distance;
-      preIntegration = (isFound && preIntegration) || isPreIntegrated;
-      isFound = true;
-    }
-  }
-  return isFound;
-}
-
-void vtkVarimarchPartsMapper::SetCommonSteps(double sampleDistance, bool preIntegration)
-{
-  for (const std::unique_ptr<Drawer>& drawer : this->Drawers)
-  {
-    drawer->Mapper->SetCommonSteps(sampleDistance, preIntegration);
-  }
-}
-
-void vtkVarimarchPartsMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
-{
-  this->ForwardSettings(volume);
   const glm::dmat4 worldFromData = varimarch::FromVtk(volume->GetMatrix());
   std::vector<varimarch::OwnedBox> boxes;
   for (const varimarch::Box& box : varimarch::BoxesOf(this->Parts))
   {
     boxes.push_back({ box, worldFromData, static_cast<int>(boxes.size()) });
   }
-  const std::vector<int> order = varimarch::OwnersFrontToBack(
+  return varimarch::OwnersFrontToBack(
     boxes, static_cast<int>(boxes.size()), varimarch::ClipFromWorld(renderer))
-                                   .owners;
+    .owners;
+}
+
+std::optional<varimarch::CommonSteps> vtkVarimarchPartsMapper::FindSteps(
+  vtkRenderer* renderer, vtkVolume* volume, const varimarch::SearchingProcesses& processes)
+{
+  std::vector<vtkVariationFieldVolumeMapper*> mappers;
+  if (volume->GetVisibility())
+  {
+    this->ForwardSettings(volume);
+    for (int part : this->PartsFrontToBack(renderer, volume))
+    {
+      mappers.push_back(this->Drawers[part]->Mapper);
+    }
+  }
+  return this->Search.Find(renderer, volume, mappers, processes);
+}
+
+void vtkVarimarchPartsMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->ForwardSettings(volume);
+  const std::vector<int> order = this->PartsFrontToBack(renderer, volume);
   for (auto part = order.rbegin(); part != order.rend(); ++part)
   {
     this->Drawers[*part]->Mapper->Render(renderer, volume);

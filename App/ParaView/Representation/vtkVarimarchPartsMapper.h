@@ -13,13 +13,15 @@
 #ifndef vtkVarimarchPartsMapper_h
 #define vtkVarimarchPartsMapper_h
 
+#include "March/SharedSearch.h"                    // For SharedSearch
 #include "OwnedPart.h"                             // For OwnedPart
 #include "VarimarchParaViewRepresentationModule.h" // For export macro
 #include "vtkVariationFieldVolumeMapper.h"
 
-#include <memory> // For Drawers
-#include <string> // For SelectArray
-#include <vector> // For Parts
+#include <memory>   // For Drawers
+#include <optional> // For CommonSteps
+#include <string>   // For SelectArray
+#include <vector>   // For Parts
 
 class VARIMARCHPARAVIEWREPRESENTATION_NO_EXPORT vtkVarimarchPartsMapper
   : public vtkVariationFieldVolumeMapper
@@ -41,14 +43,14 @@ public:
   double* GetBounds() VTK_SIZEHINT(6) override;
   using Superclass::GetBounds;
 
-  ///@{
   /**
-   * The shortest steps that any part needs, and the steps of all parts.
+   * Finds the steps with which all parts on all processes are drawn in the next still image.
+   * All of these processes must call this.
+   * @param volume  nothing of it is drawn if it is not visible
+   * @return the steps; none if each part finds its own
    */
-  bool FindSteps(vtkRenderer* renderer, vtkVolume* volume, double& sampleDistance,
-    bool& preIntegration) override;
-  void SetCommonSteps(double sampleDistance, bool preIntegration) override;
-  ///@}
+  std::optional<varimarch::CommonSteps> FindSteps(
+    vtkRenderer* renderer, vtkVolume* volume, const varimarch::SearchingProcesses& processes);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -64,9 +66,11 @@ private:
   void ForwardSettings(vtkVolume* volume);
   void CropPart(const varimarch::OwnedPart& part, vtkVolumeMapper* mapper);
   void SelectArray(const std::string& added, vtkVolumeMapper* mapper);
+  std::vector<int> PartsFrontToBack(vtkRenderer* renderer, vtkVolume* volume);
 
   std::vector<varimarch::OwnedPart> Parts;
   std::vector<std::unique_ptr<Drawer>> Drawers; // one for each part
+  varimarch::SharedSearch Search;
 
   vtkVarimarchPartsMapper(const vtkVarimarchPartsMapper&) = delete;
   void operator=(const vtkVarimarchPartsMapper&) = delete;

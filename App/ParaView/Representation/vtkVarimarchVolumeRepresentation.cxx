@@ -4,10 +4,10 @@
 #include "OrderOfProcesses.h"
 #include "OwnedPart.h"
 #include "Refusals.h"
+#include "SearchOfProcesses.h"
 #include "vtkVarimarchPartsMapper.h"
 
 #include "vtkCommand.h"
-#include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -26,6 +26,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace
@@ -233,52 +234,45 @@ void vtkVarimarchVolumeRepresentation::CropToBox()
   this->Mapper->SetCroppingRegionPlanes(planes);
 }
 
-// Lets all parts, on all processes, use the shortest steps that any of them needs, and finds the
-// order of processes. ParaView begins to render on all processes, also on those that then draw
-// nothing, so that none waits for another in vain.
+// Finds the steps of all parts, on all processes, and the order of processes. ParaView begins to
+// render on all processes, also on those that then draw nothing, so that none waits for another in
+// vain.
 void vtkVarimarchVolumeRepresentation::AgreeWithOthers(vtkObject* caller, unsigned long, void*)
 {
-  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
-  const bool sharesProcesses =
-    HasSeveralProcesses() && view && view->GetUseDistributedRenderingForRender();
   if (!this->GetVisibility())
   {
     return;
   }
-  if (!sharesProcesses && this->Mapper->GetParts().size() < 2)
-  {
-    this->Mapper->SetCommonSteps(0.0, false); // it may have been one of several parts before
-    return;
-  }
   auto* const renderer = vtkRenderer::SafeDownCast(caller);
-  constexpr double Unlimited = VTK_DOUBLE_MAX;
-  double distance = Unlimited;
-  bool preIntegration = false;
-  if (this->Actor->GetVisibility())
+  auto* const view = vtkPVRenderView::SafeDownCast(this->GetView());
+  vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
+  varimarch::SearchingProcesses processes = varimarch::SearchingProcesses::Single();
+  std::optional<varimarch::OwnerOrder> order;
+  if (HasSeveralProcesses() && view && view->GetUseDistributedRenderingForRender())
   {
-    this->Part->SetMapper(this->Mapper);
-    this->Part->SetProperty(this->Property);
-    this->Part->SetUserMatrix(this->Actor->GetMatrix());
-    this->Part->SetAllocatedRenderTime(renderer->GetAllocatedRenderTime(), renderer);
-    this->Mapper->FindSteps(renderer, this->Part, distance, preIntegration);
+    order = varimarch::OrderOfProcesses(renderer, controller);
+    processes = varimarch::SearchOfProcesses(controller, order->owners);
   }
-  // The least of both numbers of all processes; the second is -1 if any of them pre-integrates.
-  const double own[] = { distance, preIntegration ? -1.0 : 0.0 };
-  double least[] = { own[0], own[1] };
-  if (sharesProcesses)
+  this->Part->SetMapper(this->Mapper);
+  this->Part->SetProperty(this->Property);
+  this->Part->SetUserMatrix(this->Actor->GetMatrix());
+  this->Part->ComputeMatrix();
+  this->Part->SetAllocatedRenderTime(renderer->GetAllocatedRenderTime(), renderer);
+  this->Part->SetVisibility(this->Actor->GetVisibility());
+  const auto steps = this->Mapper->FindSteps(renderer, this->Part, processes);
+  if (order)
   {
-    vtkMultiProcessController::GetGlobalController()->AllReduce(
-      own, least, 2, vtkCommunicator::MIN_OP);
-    this->BeginImage(view, renderer);
+    this->BeginImage(view, renderer, *order);
   }
-  this->Mapper->SetCommonSteps(least[0] < Unlimited ? least[0] : 0.0, least[1] < 0.0);
-  vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "Varimarch: own steps %g, common steps %g%s", own[0],
-    least[0], least[1] < 0.0 ? ", pre-integrated" : "");
+  vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "Varimarch: common steps %g%s",
+    steps ? steps->step.sampleDistance : 0.0,
+    steps && steps->isPreIntegrated ? ", pre-integrated" : "");
 }
 
 // Orders the pictures of processes, if this is the first visible volume of its kind in the view.
 // All processes take part.
-void vtkVarimarchVolumeRepresentation::BeginImage(vtkPVRenderView* view, vtkRenderer* renderer)
+void vtkVarimarchVolumeRepresentation::BeginImage(
+  vtkPVRenderView* view, vtkRenderer* renderer, const varimarch::OwnerOrder& order)
 {
   vtkVarimarchVolumeRepresentation* first = nullptr;
   for (int i = 0; !first && i < view->GetNumberOfRepresentations(); ++i)
@@ -291,7 +285,8 @@ void vtkVarimarchVolumeRepresentation::BeginImage(vtkPVRenderView* view, vtkRend
     return;
   }
   vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
-  const std::string warning = this->Image->Begin(renderer, controller, this->FloatCompositing);
+  const std::string warning =
+    this->Image->Begin(renderer, controller, order, this->FloatCompositing);
   if (!warning.empty() && IsFirstProcess())
   {
     vtkWarningMacro(<< warning);

@@ -7,8 +7,8 @@
  * have: error tolerance, acceleration, shadows and ambient occlusion. Several processes each draw
  * the boxes of cells that they own, with the voxels around them for the light at their faces, and
  * the pictures are composited: still images in floats, others in the 8 bits of ParaView. Before
- * each image they agree on the order of their pictures, and before a still image on steps: the
- * shortest that any part needs.
+ * each image they agree on the order of their pictures, and before a still image they search the
+ * steps of the whole volume together.
  *
  * Pictures of several processes, and of several images of a multi-block data set, are laid over
  * each other. What this gives no right picture of, projections and shadows, is refused with a
@@ -35,6 +35,7 @@ class vtkVolume;
 namespace varimarch
 {
 class ImageOfProcesses;
+struct OwnerOrder;
 }
 
 class VARIMARCHPARAVIEWREPRESENTATION_EXPORT vtkVarimarchVolumeRepresentation
@@ -94,7 +95,7 @@ protected:
 
 private:
   void AgreeWithOthers(vtkObject* renderer, unsigned long event, void* data);
-  void BeginImage(vtkPVRenderView* view, vtkRenderer* renderer);
+  void BeginImage(vtkPVRenderView* view, vtkRenderer* renderer, const varimarch::OwnerOrder& order);
   void EndImage(vtkObject* renderer, unsigned long event, void* data);
   void CropToBox();
   bool DimsLight();

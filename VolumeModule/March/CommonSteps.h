@@ -1,0 +1,18 @@
+#ifndef Varimarch_March_CommonSteps_h
+#define Varimarch_March_CommonSteps_h
+
+#include "Core/Quality/StepSearch.h"
+
+namespace varimarch
+{
+
+/// Steps that several mappers share, each of which draws a part of a volume.
+struct CommonSteps
+{
+  StepChoice step;      ///< [mm]
+  bool isPreIntegrated; ///< True for pre-integration, false for midpoints, if a trial may choose.
+};
+
+}
+
+#endif

@@ -1,0 +1,99 @@
+#include "March/SearchFacts.h"
+
+#include "Core/Recipe/MaterialRecipe.h"
+#include "Frame/FrameMeasures.h"
+#include "Frame/PropertyTransferFunction.h"
+#include "March/SkyParameters.h"
+
+#include <algorithm>
+
+namespace varimarch
+{
+
+namespace
+{
+
+// The range of sample distances, in voxels.
+constexpr double CoarsestVoxels = 4.0;
+constexpr double FinestVoxels = 1.0 / 128.0;
+// At least this many samples on the longest ray: with fewer, halving the distance would not change
+// the image.
+constexpr double FewestSamples = 16.0;
+// At least this many samples across the thinnest piece of a volume, for the same reason: a segment
+// has four samples, and one of half the length must still end in the piece. In pieces thinner than
+// a quarter of a voxel, four samples suffice.
+constexpr double FewestAcross = 8.0;
+constexpr double LeastOfCoarsestVoxels = 1.0 / 32.0;
+
+// The cost of a pre-integrated step, in midpoint steps. For materials, which are then linear
+// between two samples, packets and shaders differ (2.1 to 2.9 with packets in seven images).
+constexpr double PreIntegrationCost = 1.33;
+constexpr double LinearCostOfPackets = 2.5;
+constexpr double LinearCostOfShaders = 1.15;
+
+double PreIntegrationCostOf(const VolumeMarch& march)
+{
+  if (!MarchesMaterial(march.settings))
+  {
+    return PreIntegrationCost;
+  }
+  return march.plan.marcher == Marcher::Processor ? LinearCostOfPackets : LinearCostOfShaders;
+}
+
+// A peak of the transfer function wider than this part of the value range is hit by more than one
+// in a thousand samples, so that a trial shows it.
+constexpr double NarrowPeak = 1.0 / 256.0;
+
+// A larger optical table loses so much in its pre-integrated table that edges of the transfer
+// function move, equally at every sample distance: a shorter distance would not show that error.
+constexpr std::size_t MostPreIntegratedEntries = 8192;
+
+// True if the opacity of a composite depends on the transfer function of its values alone.
+bool IsOpacityOfValues(RenderSettings settings)
+{
+  settings.shading = false;
+  return !MarchesMaterial(settings);
+}
+
+StepRange RangeOf(const VolumeMarch& march)
+{
+  const double voxelMm = SmallestSpacingMm(march.frame);
+  const double acrossMm =
+    std::max(ThinnestPieceMm(march.frame) / FewestAcross, LeastOfCoarsestVoxels * voxelMm);
+  const double coarsestMm =
+    std::min({ CoarsestVoxels * voxelMm, LongestRayMm(march.frame) / FewestSamples, acrossMm });
+  // The search also draws at half of the finest distance.
+  const double finestMm = std::max(
+    FinestVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
+  return { coarsestMm, std::min(finestMm, coarsestMm) };
+}
+
+}
+
+SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)
+{
+  const OpticalTable& table = volume.Materials().OpticalTables().Table();
+  SearchFacts facts;
+  facts.limit = march.plan.budget.StepLimit();
+  facts.range = RangeOf(march);
+  facts.firstMm = SmallestSpacingMm(march.frame);
+  facts.usual = march.settings.integration;
+  facts.choosesIntegration = march.plan.choosesIntegration;
+  facts.hasLight = march.settings.shading || march.settings.occlusion;
+  facts.isShaded = march.settings.shading;
+  facts.looksForPeaks = march.settings.blend == Blend::Composite &&
+    march.plan.triesPreIntegration && IsOpacityOfValues(march.settings);
+  facts.losesByTable = table.entries.size() > MostPreIntegratedEntries;
+  facts.mayPreIntegrate = MarchesMaterial(march.settings) || !facts.losesByTable;
+  facts.preIntegrationCost = PreIntegrationCostOf(march);
+  if (facts.looksForPeaks)
+  {
+    const ValueRange& resolved = volume.Blocks().Texels().resolved;
+    const double nodeGap = TransferFunctionOf(march.frame.material.property).SmallestNodeGap();
+    facts.hasNarrowPeaks = nodeGap < NarrowPeak * (resolved.upper - resolved.lower);
+    facts.hasNodesInTable = MostPreIntegratedValues * nodeGap < table.lastValue - table.firstValue;
+  }
+  return facts;
+}
+
+}

@@ -1,0 +1,32 @@
+#ifndef Varimarch_March_SearchFacts_h
+#define Varimarch_March_SearchFacts_h
+
+#include "Core/Quality/StepSearch.h"
+#include "Resources/VolumeResources.h"
+
+namespace varimarch
+{
+
+/// Everything that a search for steps must know about a volume besides its trial images.
+struct SearchFacts
+{
+  ErrorLimit limit = {};
+  StepRange range = {}; ///< The sample distances to search [mm].
+  double firstMm = 0.0; ///< The smallest distance of two voxels [mm].
+  Integration usual = Integration::Midpoint;
+  bool choosesIntegration = false; ///< True if a trial may choose pre-integration.
+  bool hasLight = false;           ///< True if an image without light is another.
+  bool isShaded = false;
+  bool looksForPeaks = false;      ///< True for a composite whose opacity depends on values alone.
+  bool hasNarrowPeaks = false;     ///< True if samples may miss peaks of the transfer function.
+  bool losesByTable = false;       ///< True if pre-integration's table may move edges.
+  bool hasNodesInTable = false;    ///< True if nodes lie closer together than that table's values.
+  bool mayPreIntegrate = false;    ///< False if the table's losses rule out pre-integration.
+  double preIntegrationCost = 1.0; ///< The cost of a pre-integrated step, in midpoint steps.
+};
+
+SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume);
+
+}
+
+#endif

@@ -1,0 +1,303 @@
+#include "March/SharedSearch.h"
+
+#include "Frame/FrameBuilder.h"
+#include "March/LevelOfDetail.h"
+#include "March/MapperInternals.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace varimarch
+{
+
+/// A part that this process draws.
+struct SharedSearch::Part
+{
+  RayMarcher* marcher;
+  Frame frame;
+  PreparedTrials trials;
+};
+
+struct SharedSearch::Made
+{
+  std::vector<ToleranceInputs> inputs; ///< The inputs of the parts on this process.
+  CommonSteps steps;
+};
+
+namespace
+{
+
+// Facts of several parts are merged by taking the least of each number: conditions that one part
+// suffices for are -1 if they hold, those that all parts must meet are 1, and lengths of which the
+// longest counts are negative.
+constexpr double NumberOfNoPart = std::numeric_limits<double>::infinity();
+
+double IfAny(bool holds)
+{
+  return holds ? -1.0 : 0.0;
+}
+
+bool HoldsForAny(double least)
+{
+  return least < 0.0;
+}
+
+std::vector<double> NumbersOf(const SearchFacts& facts)
+{
+  return { facts.limit.percentile999, facts.limit.largest, facts.range.coarsest,
+    -facts.range.finest, facts.firstMm, double(facts.usual), double(facts.choosesIntegration),
+    double(facts.mayPreIntegrate), -facts.preIntegrationCost, IfAny(facts.hasLight),
+    IfAny(facts.isShaded), IfAny(facts.looksForPeaks), IfAny(facts.hasNarrowPeaks),
+    IfAny(facts.losesByTable), IfAny(facts.hasNodesInTable) };
+}
+
+SearchFacts FactsOf(const std::vector<double>& numbers)
+{
+  auto next = numbers.begin();
+  SearchFacts facts;
+  facts.limit.percentile999 = *next++;
+  facts.limit.largest = *next++;
+  facts.range.coarsest = *next++;
+  facts.range.finest = std::min(-*next++, facts.range.coarsest);
+  facts.firstMm = *next++;
+  facts.usual = Integration(int(*next++));
+  facts.choosesIntegration = *next++ > 0.0;
+  facts.mayPreIntegrate = *next++ > 0.0;
+  facts.preIntegrationCost = -*next++;
+  facts.hasLight = HoldsForAny(*next++);
+  facts.isShaded = HoldsForAny(*next++);
+  facts.looksForPeaks = HoldsForAny(*next++);
+  facts.hasNarrowPeaks = HoldsForAny(*next++);
+  facts.losesByTable = HoldsForAny(*next++);
+  facts.hasNodesInTable = HoldsForAny(*next++);
+  return facts;
+}
+
+void MergeNumbers(std::vector<double>& least, const std::vector<double>& numbers)
+{
+  for (std::size_t i = 0; i < least.size(); ++i)
+  {
+    least[i] = std::min(least[i], numbers[i]);
+  }
+}
+
+// A message of the leader to the others: the next trial image, or the end of the search.
+using SearchMessage = std::vector<double>;
+constexpr double DrawsTrial = 1.0;
+constexpr double EndsSearch = 0.0;
+constexpr std::size_t SearchMessageLength = 5;
+
+SearchMessage MessageOf(const TrialImage& image)
+{
+  return { DrawsTrial, double(image.integration), image.sampleDistanceMm, double(image.isLit),
+    double(image.hasSmallTable) };
+}
+
+TrialImage ImageOf(const SearchMessage& message)
+{
+  return { Integration(int(message[1])), message[2], message[3] != 0.0, message[4] != 0.0, false };
+}
+
+SearchMessage MessageOf(const std::optional<CommonSteps>& found)
+{
+  return found ? SearchMessage{ EndsSearch, found->step.sampleDistance, found->step.error,
+    found->step.ofLimit, double(found->isPreIntegrated) }
+               : SearchMessage(SearchMessageLength, EndsSearch);
+}
+
+std::optional<CommonSteps> StepsOf(const SearchMessage& message)
+{
+  return message[1] > 0.0
+    ? std::optional<CommonSteps>({ { message[1], message[2], message[3] }, message[4] != 0.0 })
+    : std::nullopt;
+}
+
+// The longest of a few distances that is not above another. Where parts meet, their segments end,
+// which makes the errors of trial images a little different; this rarely changes the result.
+double RoundedDown(double distance, const SearchFacts& facts)
+{
+  constexpr double PerOctave = 4.0;
+  constexpr double Same = 1e-6;
+  const double level = std::floor(PerOctave * std::log2(distance / facts.firstMm) + Same);
+  return std::max(
+    std::min(facts.range.finest, distance), facts.firstMm * std::exp2(level / PerOctave));
+}
+
+// Searches, and lets the others draw trial images until it is done.
+std::optional<CommonSteps> LeadSearch(
+  const SearchFacts& facts, const TrialDrawing& drawOwn, const SearchingProcesses& processes)
+{
+  const auto draw = [&](const TrialImage& image)
+  {
+    SearchMessage message = MessageOf(image);
+    processes.takeFromLeader(message);
+    std::vector<float> whole = processes.layOver(drawOwn(image));
+    return whole.empty() ? throw std::runtime_error("no part drew a trial image") : whole;
+  };
+  std::optional<CommonSteps> found;
+  try
+  {
+    const ToleranceChoice choice = ToleranceSearch::ChooseAnew(facts, draw);
+    found = { choice.step, choice.integration == Integration::PreIntegrated };
+    found->step.sampleDistance = RoundedDown(choice.step.sampleDistance, facts);
+  }
+  catch (const std::exception&)
+  {
+    found.reset(); // drawing reports what is wrong
+  }
+  SearchMessage message = MessageOf(found);
+  processes.takeFromLeader(message);
+  return found;
+}
+
+// DrawsTrial trial images until the leader is done.
+std::optional<CommonSteps> FollowSearch(
+  const TrialDrawing& drawOwn, const SearchingProcesses& processes)
+{
+  SearchMessage message(SearchMessageLength);
+  for (processes.takeFromLeader(message); message[0] == DrawsTrial;
+       processes.takeFromLeader(message))
+  {
+    processes.layOver(drawOwn(ImageOf(message)));
+  }
+  return StepsOf(message);
+}
+
+}
+
+SearchingProcesses SearchingProcesses::Single()
+{
+  const auto keep = [](std::vector<double>&) {};
+  return { true, keep, keep, [](std::vector<float> own) { return own; } };
+}
+
+std::vector<float> LaidOver(std::vector<float> front, const std::vector<float>& behind)
+{
+  if (front.empty())
+  {
+    return behind;
+  }
+  for (std::size_t pixel = 0; pixel < behind.size(); pixel += 4)
+  {
+    const float transmittance = 1.0F - front[pixel + 3];
+    for (std::size_t channel = pixel; channel < pixel + 4; ++channel)
+    {
+      front[channel] += transmittance * behind[channel];
+    }
+  }
+  return front;
+}
+
+SharedSearch::SharedSearch() = default;
+
+SharedSearch::~SharedSearch() = default;
+
+std::optional<CommonSteps> SharedSearch::Find(vtkRenderer* renderer, vtkVolume* volume,
+  const std::vector<vtkVariationFieldVolumeMapper*>& mappers, const SearchingProcesses& processes)
+{
+  bool isRefused = false;
+  std::vector<Part> parts = this->PartsOf(renderer, volume, mappers, isRefused);
+  const std::optional<CommonSteps> found = this->Search(parts, isRefused, processes);
+  for (vtkVariationFieldVolumeMapper* mapper : mappers)
+  {
+    mapper->Private->Marcher.SetCommonSteps(found);
+  }
+  return found;
+}
+
+// Faults are those of the drawing that follows, which reports them.
+std::vector<SharedSearch::Part> SharedSearch::PartsOf(vtkRenderer* renderer, vtkVolume* volume,
+  const std::vector<vtkVariationFieldVolumeMapper*>& mappers, bool& isRefused) const
+{
+  std::vector<Part> parts;
+  try
+  {
+    // The renderer moves lights with the camera only while it draws.
+    if (renderer->GetLightFollowCamera())
+    {
+      renderer->UpdateLightsGeometryToFollowCamera();
+    }
+    for (vtkVariationFieldVolumeMapper* mapper : mappers)
+    {
+      std::optional<Frame> frame = BuildFrame(mapper, renderer, volume);
+      if (!frame)
+      {
+        continue;
+      }
+      isRefused = isRefused || IsInteractive(mapper, volume, *frame);
+      frame->settings.sceneGeometry = false;
+      frame->view.window->MakeCurrent();
+      RayMarcher& marcher = mapper->Private->Marcher;
+      if (std::optional<PreparedTrials> trials =
+            isRefused ? std::nullopt : marcher.PrepareTrials(*frame))
+      {
+        parts.push_back({ &marcher, std::move(*frame), std::move(*trials) });
+      }
+    }
+  }
+  catch (const std::exception&)
+  {
+    isRefused = true;
+  }
+  return parts;
+}
+
+// A part that cannot be drawn shows nothing here, and drawing reports why.
+std::vector<float> SharedSearch::DrawParts(std::vector<Part>& parts, const TrialImage& image)
+{
+  std::vector<float> whole;
+  try
+  {
+    for (Part& part : parts)
+    {
+      whole =
+        LaidOver(std::move(whole), part.marcher->DrawTrial(part.frame, part.trials.plan, image));
+    }
+  }
+  catch (const std::exception&)
+  {
+    whole.clear();
+  }
+  return whole;
+}
+
+std::optional<CommonSteps> SharedSearch::Search(
+  std::vector<Part>& parts, bool isRefused, const SearchingProcesses& processes)
+{
+  std::vector<ToleranceInputs> inputs;
+  std::vector<double> least(NumbersOf(SearchFacts()).size(), NumberOfNoPart);
+  for (const Part& part : parts)
+  {
+    inputs.push_back(part.trials.inputs);
+    MergeNumbers(least, NumbersOf(part.trials.facts));
+  }
+  const bool isKnown = this->made && this->made->inputs == inputs;
+  least.insert(least.end(), { IfAny(isRefused), IfAny(!isKnown) });
+  processes.takeLeast(least);
+  const bool isNew = HoldsForAny(least.back());
+  least.pop_back();
+  if (HoldsForAny(least.back()) || least.front() == NumberOfNoPart)
+  {
+    return std::nullopt;
+  }
+  if (!isNew)
+  {
+    return this->made->steps;
+  }
+  const auto drawOwn = [&](const TrialImage& image) { return DrawParts(parts, image); };
+  const std::optional<CommonSteps> found = processes.isLeader
+    ? LeadSearch(FactsOf(least), drawOwn, processes)
+    : FollowSearch(drawOwn, processes);
+  this->made = found ? std::make_unique<Made>(Made{ std::move(inputs), *found }) : nullptr;
+  ++this->searches;
+  return found;
+}
+
+}
