@@ -122,7 +122,8 @@ testOneProcess()
   done
 }
 
-# The program of this tree draws the same scenes, with Debian's VTK.
+# The program of this tree draws the same scenes, with Debian's VTK. Its steps are those of a search that
+# does not round them down, so that the pictures differ by errors within the tolerance.
 testProgram()
 {
   local program=build/dev/bin/varimarch name
@@ -136,7 +137,7 @@ testProgram()
       <"Data/References/$name.json" >"$pictures/exact/$name.json"
     "$program" render "$pictures/exact/$name.json" -o "$pictures/exact/$name-program.png" >/dev/null
     row "| $name" \
-      "| $(compare "$pictures/exact/$name-program.png" "$pictures/exact/$name.png" 60) |"
+      "| $(compare "$pictures/exact/$name-program.png" "$pictures/exact/$name.png" 50) |"
   done
 }
 
