@@ -281,6 +281,11 @@ vtkIdType vtkVariationFieldVolumeMapper::GetRefinedBlocks()
   return vtkIdType(this->Private->Levels.Drawn().refinedBlocks);
 }
 
+bool vtkVariationFieldVolumeMapper::GetNextRefinementFits()
+{
+  return this->Private->Levels.Drawn().nextFits;
+}
+
 double vtkVariationFieldVolumeMapper::GetFieldBuildSeconds()
 {
   return this->Private->Last->FieldBuildSeconds();

@@ -256,6 +256,13 @@ public:
   vtkIdType GetRefinedBlocks();
   ///@}
 
+  /**
+   * False if the voxels of a next image of RefinedLevel may not fit in half of the memory for them.
+   * Since they would be read anew for each image, the next one takes all that it needs, and is the
+   * last; it may take many times as long as its voxels are read.
+   */
+  bool GetNextRefinementFits();
+
   ///@{
   /**
    * Limit of the program's main memory while it draws a volume that vtkVolumeFileReader has left

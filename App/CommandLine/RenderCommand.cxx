@@ -153,6 +153,12 @@ void TellOfLevel(vtkVariationFieldVolumeMapper* ours, double seconds)
          << " visible blocks after " << seconds
          << " s: the coarse level of the others changes the image by at most "
          << std::setprecision(4) << ours->GetLevelErrorBound();
+    if (ours->GetDrawnPart() < 1.0 && !ours->GetNextRefinementFits())
+    {
+      text
+        << "; the voxels of the next image may not fit in the memory, so that it is the last one, "
+           "and reads them anew for each trial of its steps";
+    }
     PrintMessage(text.str());
   }
 }

@@ -9,6 +9,7 @@
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -54,6 +55,32 @@ TEST_F(RefinedLevels, BecomeBetterWithEachImageUntilTheToleranceHolds)
   EXPECT_LE(blocks, scene.mapper->GetVisibleBlocks());
   scene.Draw();
   EXPECT_EQ(scene.mapper->GetRefinedBlocks(), blocks) << "the tolerance holds";
+}
+
+// Each image of voxels that do not fit would read all of them anew.
+TEST_F(RefinedLevels, EndWithOneImageOfVoxelsThatDoNotFit)
+{
+  vtkImageData* const voxels = this->ReadVoxels(Waves);
+  std::array<int, 2> images = {};
+  for (const bool fits : { true, false })
+  {
+    MapperScene scene(voxels);
+    UseFog(scene, 0.0, 0.03);
+    constexpr vtkIdType TooLittle = 400000;
+    scene.mapper->SetMaximumHostMemory(fits ? scene.mapper->GetMaximumHostMemory() : TooLittle);
+    scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+    bool nextFits = true;
+    int& count = images[fits ? 0 : 1];
+    for (scene.Draw(), count = 1; scene.mapper->GetDrawnPart() < 1.0; ++count)
+    {
+      EXPECT_TRUE(nextFits) << "the last image is not the last";
+      nextFits = scene.mapper->GetNextRefinementFits();
+      scene.Draw();
+    }
+    EXPECT_EQ(nextFits, fits);
+    EXPECT_LE(scene.mapper->GetLevelErrorBound(), 1.0 / 128.0);
+  }
+  EXPECT_LT(images[1], images[0]);
 }
 
 TEST_F(RefinedLevels, HaveStepsOfTheirOwnInEachImage)

@@ -331,6 +331,7 @@ Frame LevelOfDetail::RefinedFrame(
   this->drawn.level = vtkVariationFieldVolumeMapper::RefinedLevel;
   this->drawn.visibleBlocks = refinement.VisibleBlocks();
   this->drawn.refinedBlocks = refinement.RefinedBlocks();
+  this->drawn.nextFits = refinement.NextFits();
   Frame refined = frame;
   refined.coarser = std::move(coarser);
   refined.blockLevels = refinement.Levels();

@@ -46,6 +46,7 @@ struct DrawnLevel
   int level = 0;                 ///< VoxelLevel, CoarseLevel or RefinedLevel of the mapper.
   std::size_t visibleBlocks = 0; ///< 0 for images of a single level.
   std::size_t refinedBlocks = 0; ///< Visible blocks that are drawn by voxels.
+  bool nextFits = true;          ///< See LevelRefinement::NextFits.
 };
 
 /// Draws volumes that stayed in their file by their coarser levels, in the blocks where they

@@ -5,6 +5,8 @@
 #include "Core/Look/OpticalTable.h"
 #include "Core/Packets/PacketScene.h"
 #include "Frame/Lights.h"
+#include "Readers/MappedMemory.h"
+#include "Readers/MappedScalars.h"
 #include "Readers/VoxelLayout.h"
 #include "Resources/MaterialTables.h"
 #include "Resources/ValueFocus.h"
@@ -162,6 +164,13 @@ bool HasSoftLamps(const Frame& frame)
   return isSoft;
 }
 
+// Half of the memory of the voxels; the program, fields and levels have the rest.
+double MemoryOf(const Frame& frame)
+{
+  const auto voxels = PagedVoxelsOf(frame.voxels.scalars);
+  return voxels ? 0.5 * double(MostBytesOf(*voxels)) : std::numeric_limits<double>::infinity();
+}
+
 double LargestOf(const std::vector<double>& bounds)
 {
   return bounds.empty() ? 0.0 : *std::max_element(bounds.begin(), bounds.end());
@@ -208,7 +217,7 @@ std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSumma
     ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),
     frame.geometry.boxGrid, brightest, DimmedLightsOf(frame, brightest.value_or(1.0)),
-    HasSoftLamps(frame) };
+    HasSoftLamps(frame), MemoryOf(frame) };
 }
 
 double BoundOfLevelAlone(const LevelInputs& inputs)
@@ -226,20 +235,35 @@ LevelRefinement::LevelRefinement(std::vector<double> newFingerprint, const Level
 {
 }
 
-// The blocks of voxels that an image takes at most after the one before: 128 MB are read from
-// chunks in a second or a few.
-std::size_t LevelRefinement::MostBlocksOfRound() const
+double LevelRefinement::BlockBytes() const
 {
-  constexpr double MostBytes = 128e6;
   const std::size_t voxelBytes =
     ByVoxelType(this->inputs.type, [](auto voxel) { return sizeof(voxel); });
   const double side = this->looks->CellsPerSide();
-  return std::size_t(std::max(1.0, MostBytes / (side * side * side * double(voxelBytes))));
+  return side * side * side * double(voxelBytes);
+}
+
+double LevelRefinement::HeldBytes() const
+{
+  return this->refined > 0 ? double(this->refined) * this->BlockBytes() : 0.0;
+}
+
+// An image takes at most 128 MB of voxels more than the one before, which are read from chunks in a
+// second or a few, or twice as many, so that all images read little more than the last does.
+RefinementRound LevelRefinement::NextRound(double tolerance) const
+{
+  constexpr double PartPerRound = 1.0 / 4.0;
+  constexpr double MostBytes = 128e6;
+  if (!this->NextFits())
+  {
+    return { tolerance };
+  }
+  return { std::max(tolerance, PartPerRound * this->bound),
+    std::size_t(std::max({ 1.0, MostBytes / this->BlockBytes(), double(this->refined) })) };
 }
 
 void LevelRefinement::Refine(double tolerance)
 {
-  constexpr double PartPerRound = 1.0 / 4.0;
   if (this->bound <= tolerance)
   {
     return;
@@ -254,9 +278,8 @@ void LevelRefinement::Refine(double tolerance)
     }
   }
   const auto next = std::make_shared<BlockLevels>(*this->levels);
-  varimarch::Refine(this->inputs.SceneOf(*this->looks, false),
-    { std::max(tolerance, PartPerRound * this->bound), this->MostBlocksOfRound() }, *next,
-    this->bounds);
+  varimarch::Refine(
+    this->inputs.SceneOf(*this->looks, false), this->NextRound(tolerance), *next, this->bounds);
   this->bound = LargestOf(this->bounds);
   this->levels = next;
   this->refined = CountOf(*next, BlockLevel::Voxels);

@@ -31,6 +31,7 @@ struct LevelInputs
   std::optional<double> brightest; ///< See BlockLooks.
   std::vector<LevelLight> lights;  ///< Everything that matter may keep from a place.
   bool hasSoftLamps;               ///< True if soft lamps near the volume cast shadows.
+  double memoryBytes;              ///< The memory that voxels may take [bytes].
 
   BlockLooks Looks() const;
   bool HasLooksOf(const LevelInputs& other) const
@@ -57,7 +58,9 @@ std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSumma
 double BoundOfLevelAlone(const LevelInputs& inputs);
 
 /// The levels by which the blocks of a scene are drawn: with each round finer ones where the image
-/// needs them most, until the error of all is within a tolerance.
+/// needs them most, until the error of all is within a tolerance. Each round doubles the voxels at
+/// most, and the one after those that fit in memory is the last: since its voxels are read anew for
+/// each image, there is one image of them only.
 class LevelRefinement
 {
 public:
@@ -88,11 +91,17 @@ public:
   std::size_t VisibleBlocks() const { return this->visible; }
   /// The number of visible blocks that are drawn by voxels.
   std::size_t RefinedBlocks() const { return this->refined; }
+  /// False if the voxels of a next round may not fit in memory, so that it is the last.
+  bool NextFits() const { return 2.0 * this->HeldBytes() <= this->inputs.memoryBytes; }
 
 private:
   /// Finds the bounds of an image that has voxels only where they are invisible.
   void Begin();
-  std::size_t MostBlocksOfRound() const;
+  /// The voxels of a block, and of all blocks that are drawn by voxels [bytes].
+  double BlockBytes() const;
+  double HeldBytes() const;
+  /// The aim of the next round.
+  RefinementRound NextRound(double tolerance) const;
 
   std::vector<double> fingerprint;
   LevelInputs inputs;

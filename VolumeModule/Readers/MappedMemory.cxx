@@ -75,6 +75,14 @@ public:
     }
   }
 
+  std::uint64_t MostBytesOf(const PagedVoxels& voxels)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    const auto found = std::find_if(this->all.begin(), this->all.end(),
+      [&](const Kept& kept) { return kept.voxels.get() == &voxels; });
+    return found == this->all.end() ? 0 : found->mostBytes;
+  }
+
   /// Threads that use the voxels would leave them locked in a process that is forked meanwhile.
   void PrepareFork() { this->mutex.lock(); }
   void EndForkInParent() { this->mutex.unlock(); }
@@ -222,6 +230,11 @@ void* KeepPaged(std::unique_ptr<PagedVoxels> voxels, std::uint64_t mostBytes)
 void SetMostBytes(const PagedVoxels& voxels, std::uint64_t mostBytes)
 {
   All().SetMostBytes(voxels, mostBytes);
+}
+
+std::uint64_t MostBytesOf(const PagedVoxels& voxels)
+{
+  return All().MostBytesOf(voxels);
 }
 
 void ReleasePaged(void* bytes)

@@ -20,6 +20,9 @@ void* KeepPaged(std::unique_ptr<PagedVoxels> voxels, std::uint64_t mostBytes);
 /// Changes the bound of voxels of KeepPaged.
 void SetMostBytes(const PagedVoxels& voxels, std::uint64_t mostBytes);
 
+/// The bound of voxels of KeepPaged; 0 for others.
+std::uint64_t MostBytesOf(const PagedVoxels& voxels);
+
 void ReleasePaged(void* bytes);
 
 /// Memory of this process that is resident now, with that of mapped files [bytes].
