@@ -71,7 +71,7 @@ TEST_F(Loading, LeavesVoxelsInTheirFileThatDoNotFitInTheMemoryOfTheUser)
 
 TEST_F(Loading, ShowsACoarseCopyBeforeAVolumeThatTakesLong)
 {
-  const std::string path = this->folder.Write("large.raw", "");
+  const std::string path = this->folder.Write("large.raw", "1"); // a stored voxel in a hole
   std::filesystem::resize_file(path, 512 << 20);
   const FileSource source{ path, RawLayout{ { 1024, 1024, 512 } } };
   const QSignalSpy previewed(&this->loader, &VolumeLoader::Previewed);
@@ -92,7 +92,7 @@ TEST_F(Loading, ShowsACoarseCopyBeforeAVolumeThatTakesLong)
 
 TEST_F(Loading, ReadsNoCoarseCopyThatIsOfNoUse)
 {
-  const std::string path = this->folder.Write("large.raw", "");
+  const std::string path = this->folder.Write("large.raw", "1");
   std::filesystem::resize_file(path, 512 << 20);
   const QSignalSpy previewed(&this->loader, &VolumeLoader::Previewed);
   ChooseMemoryGigabytes(2);

@@ -59,7 +59,7 @@ vtkSmartPointer<vtkImageData> MappedImage(const VoxelsInFile& voxels, ReadProgre
     StampOfFile(voxels.path, voxels.offset), mostBytes,
     SideOfBricks(source.Levels().front(), source.Type(), mostBytes / 2) };
   std::shared_ptr<const VolumeSummary> summary = KeptSummary(summarized);
-  if (!summary && voxels.mapping.preview)
+  if (!summary && voxels.mapping.preview && NeedsMuchReading(summarized))
   {
     return CoarseCopy(source, layout, voxels.mapping, progress);
   }

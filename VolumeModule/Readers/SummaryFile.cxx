@@ -195,8 +195,9 @@ void CheckMemory(const SummarizedVoxels& voxels)
   }
 }
 
-/// True if making a summary, which has a tenth of the voxels' bytes, needs more reading than it.
-bool IsWorthKeeping(const SummarizedVoxels& voxels)
+}
+
+bool NeedsMuchReading(const SummarizedVoxels& voxels)
 {
   const auto& size = voxels.source.Levels().front().dimensions;
   const BrickSource::Box stored = voxels.source.Occupied({ { 0, 0, 0 }, size });
@@ -205,9 +206,7 @@ bool IsWorthKeeping(const SummarizedVoxels& voxels)
   {
     readPart *= double(stored.upper[axis] - stored.lower[axis]) / double(size[axis]);
   }
-  return !voxels.stamp.empty() && readPart > 0.1;
-}
-
+  return readPart > 0.1;
 }
 
 std::string StampOfFile(const std::string& path, std::uint64_t offset)
@@ -252,8 +251,8 @@ std::shared_ptr<const VolumeSummary> MadeSummary(
   const std::vector<std::string> places = PlacesOf(voxels.place);
   const auto summary = std::make_shared<VolumeSummary>(SummaryOf(voxels.source,
     { voxels.mostMemoryBytes / 8, voxels.side }, [&](double part) { progress.Report(part); }));
-  if (IsWorthKeeping(voxels) && !Store(places.front(), voxels.path, key, *summary) &&
-    places.size() > 1)
+  const bool isWorthKeeping = !voxels.stamp.empty() && NeedsMuchReading(voxels);
+  if (isWorthKeeping && !Store(places.front(), voxels.path, key, *summary) && places.size() > 1)
   {
     std::error_code ignored;
     std::filesystem::create_directories(CacheFolder(), ignored);

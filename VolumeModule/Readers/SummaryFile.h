@@ -23,6 +23,10 @@ struct SummarizedVoxels
   int side; ///< cells along each side of a brick
 };
 
+/// True if making a summary, which has a tenth of the voxels' bytes, needs more reading than that:
+/// voxels that are not stored are not read.
+bool NeedsMuchReading(const SummarizedVoxels& voxels);
+
 /// A text that tells the voxels of a file from others: its size and time, and samples of it.
 /// @param offset  offset of the first voxel
 std::string StampOfFile(const std::string& path, std::uint64_t offset);
