@@ -2,6 +2,7 @@
 #define Varimarch_Resources_CasterResources_h
 
 #include "Core/Geometry/TriangleTree.h"
+#include "Core/Parameters/MarchTextures.h"
 #include "Frame/CasterTriangles.h"
 #include "Frame/Frame.h"
 #include "Resources/FloatBufferTexture.h"
