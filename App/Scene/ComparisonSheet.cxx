@@ -12,7 +12,7 @@ vtkSmartPointer<vtkImageData> ComparisonSheet(const std::vector<SheetColumn>& co
 {
   constexpr int Gap = 8;
   constexpr int TitleHeight = 48;
-  constexpr int NarrowestColumn = 300; // so that the texts fit
+  constexpr int NarrowestColumn = 340; // so that the texts fit
   const int* size = columns.front().picture->GetDimensions();
   const int columnWidth = std::max(size[0], NarrowestColumn);
   const int width = Gap + int(columns.size()) * (columnWidth + Gap);
