@@ -276,9 +276,11 @@ void LeaveOutFarSlices(DicomSlices& slices, std::vector<std::string>& warnings)
 
 double UsualDistanceMm(const std::vector<double>& heightsMm)
 {
-  std::vector<double> gaps(heightsMm.size());
-  std::adjacent_difference(heightsMm.begin(), heightsMm.end(), gaps.begin());
-  gaps.erase(gaps.begin());
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < heightsMm.size(); ++i)
+  {
+    gaps.push_back(heightsMm[i] - heightsMm[i - 1]);
+  }
   return Percentile(gaps, 0.5);
 }
 
