@@ -9,6 +9,7 @@ class SecondCube
 public:
   SecondCube(CubeAboveFloor& first, glm::dvec3 center)
     : center(center)
+    , first(first)
   {
     this->mapper->SetInputData(first.scene.image);
     this->mapper->SetErrorTolerance(0.0);
@@ -24,9 +25,22 @@ public:
     return LeftBehindCube(place - this->center, towards);
   }
 
+  /// Compares red on the floor as CubeAboveFloor does, with either volume as the first to be drawn.
+  void ExpectRedInBothOrders(
+    const std::function<double(glm::dvec3 place)>& truth, double tolerance) const
+  {
+    this->first.ExpectRed(truth, tolerance);
+    this->first.scene.renderer->RemoveVolume(this->first.scene.volume);
+    this->first.scene.renderer->AddVolume(this->first.scene.volume);
+    this->first.ExpectRed(truth, tolerance);
+  }
+
   vtkNew<vtkVariationFieldVolumeMapper> mapper;
   vtkNew<vtkVolume> volume;
   glm::dvec3 center;
+
+private:
+  CubeAboveFloor& first;
 };
 
 /// A place above the first cube and beside the view, so that VTK culls it. Their shadows overlap.

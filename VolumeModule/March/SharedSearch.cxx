@@ -157,7 +157,7 @@ std::optional<CommonSteps> LeadSearch(
   return found;
 }
 
-// DrawsTrial trial images until the leader is done.
+// Draws the trial images that the leader asks for, until it has found the steps.
 std::optional<CommonSteps> FollowSearch(
   const TrialDrawing& drawOwn, const SearchingProcesses& processes)
 {

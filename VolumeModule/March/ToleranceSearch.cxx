@@ -80,7 +80,7 @@ void ToleranceSearch::Forget()
 }
 
 // While the view moves, a choice is reused for nearby views. A view at rest gets a choice of its
-// own, and so does geometry.
+// own, and so does a scene whose geometry rests.
 bool ToleranceSearch::Serves(const ToleranceChoice& made, const ToleranceInputs& inputs) const
 {
   const bool isForMotion = made.isOfOtherCasters && this->viewRests && this->castersRest;

@@ -235,4 +235,4 @@ bool HasGradient(vec3 positionTexture);
 //   void ReadGradients(Ray ray, Interval segment, bool isNext);
 //     isNext is true if the gradients at the beginning of the segment were the last to be read.
 //   vec4 KeptIn(Ray ray, Interval segment);
-//     What the materials keep of their light in the segment, see KeptOf.
+//     The part of their light that the materials keep in the segment, see KeptOf.

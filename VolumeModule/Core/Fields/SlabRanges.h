@@ -72,7 +72,7 @@ public:
   }
 
 private:
-  /// The range of a brick without voxels yet. No range of values is so.
+  /// The range of a brick without voxels yet, which no brick with voxels has.
   static constexpr BrickRanges::Steps Nothing = { 255, 0 };
 
   /// True if there are bricks to which the slab, or its first voxels along some axes, belong.

@@ -38,7 +38,8 @@ struct VoxelSlab
 
 /// Reads a volume in slabs, on as many cores as there is memory for slabs. A core takes no other
 /// slab before it is done with one. Each slab is some whole chunks, so that each chunk is read
-/// once, unless the memory is too small for them, or no few chunks are as large as whole bricks.
+/// once, unless the memory is too small for them, or too many chunks are needed to fill whole
+/// bricks.
 template <class Scalar>
 class SlabReader
 {

@@ -209,14 +209,25 @@ std::vector<double> Hdf5File::Numbers(const std::string& dataSet) const
     { return H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0; });
 }
 
+namespace
+{
+
+Hdf5Handle DataSetOf(const Hdf5File& file, const std::string& name)
+{
+  const hid_t data = H5Dopen(file, name.c_str(), H5P_DEFAULT);
+  if (data < 0)
+  {
+    FailToRead(file.Path(), "the data set " + Quoted(name, 80), "none, or a damaged one");
+  }
+  return { data, H5Dclose };
+}
+
+}
+
 Hdf5Layout LayoutOf(const Hdf5File& file, const std::string& dataSet)
 {
   const SilentHdf5 silent;
-  const Hdf5Handle data(H5Dopen(file, dataSet.c_str(), H5P_DEFAULT), H5Dclose);
-  if (data < 0)
-  {
-    FailToRead(file.Path(), "the data set " + Quoted(dataSet, 80), "none, or a damaged one");
-  }
+  const Hdf5Handle data = DataSetOf(file, dataSet);
   const Hdf5Handle space(H5Dget_space(data), H5Sclose);
   const Hdf5Handle type(H5Dget_type(data), H5Tclose);
   const Hdf5Handle creation(H5Dget_create_plist(data), H5Pclose);
@@ -247,11 +258,7 @@ Hdf5Chunks ChunksOf(const Hdf5File& file, const std::string& dataSet,
   const std::vector<std::vector<std::int64_t>>& starts)
 {
   const SilentHdf5 silent;
-  const Hdf5Handle data(H5Dopen(file, dataSet.c_str(), H5P_DEFAULT), H5Dclose);
-  if (data < 0)
-  {
-    FailToRead(file.Path(), "the data set " + Quoted(dataSet, 80), "none, or a damaged one");
-  }
+  const Hdf5Handle data = DataSetOf(file, dataSet);
   const Hdf5Handle creation(H5Dget_create_plist(data), H5Pclose);
   const Hdf5Handle stored(H5Dget_type(data), H5Tclose);
   const Hdf5Handle type = MemoryTypeOf(stored);
