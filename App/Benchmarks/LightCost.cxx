@@ -90,7 +90,7 @@ struct Rounds
   }
 };
 
-ImageError ErrorOf(const Scene& scene, vtkImageData* image)
+ImageError ErrorAgainstReference(const Scene& scene, vtkImageData* image)
 {
   OffscreenView drawn(scene, image, MapperKind::Varimarch);
   OffscreenView exact(FineScene(scene, scene.render.errorTolerance), image, MapperKind::Varimarch);
@@ -124,7 +124,7 @@ LightCost MeasureLightCost(
     measured.factor[motion] = Median(rounds.factor[motion]);
   }
   onStep("error");
-  measured.error = ErrorOf(featured, loaded.volume.image);
+  measured.error = ErrorAgainstReference(featured, loaded.volume.image);
   ThrowIfVtkReportedError();
   return measured;
 }

@@ -14,7 +14,7 @@ namespace varimarch
 namespace
 {
 
-constexpr QSize PictureSize(112, 112);
+constexpr QSize SlicePictureSize(112, 112);
 
 // Descriptions are typed by operators and may be empty or long.
 QString TextOf(const SeriesSummary& summary)
@@ -35,7 +35,7 @@ SeriesPicker::SeriesPicker(std::vector<SeriesSummary> allSeries, QWidget* parent
 {
   this->setWindowTitle(tr("Choose a series"));
   this->resize(520, 460);
-  this->list->setIconSize(PictureSize);
+  this->list->setIconSize(SlicePictureSize);
   this->list->setSpacing(4);
   this->list->setAccessibleName(tr("Series"));
   for (const SeriesSummary& summary : this->series)
@@ -58,12 +58,13 @@ SeriesPicker::SeriesPicker(std::vector<SeriesSummary> allSeries, QWidget* parent
 
 void SeriesPicker::Add(const SeriesSummary& summary)
 {
-  QPixmap picture(PictureSize);
+  QPixmap picture(SlicePictureSize);
   picture.fill(Qt::black);
   if (!summary.middle.pixels.empty())
   {
     picture = QPixmap::fromImage(
-      ImageOf(summary.middle).scaled(PictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+      ImageOf(summary.middle)
+        .scaled(SlicePictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation));
   }
   new QListWidgetItem(picture, TextOf(summary), this->list);
 }

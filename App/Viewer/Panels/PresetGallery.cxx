@@ -24,7 +24,7 @@ namespace varimarch
 namespace
 {
 
-constexpr QSize PictureSize(104, 86);
+constexpr QSize PresetPictureSize(104, 86);
 constexpr int HasPictureRole = Qt::UserRole;
 constexpr int NameRole = Qt::UserRole + 1; // name of a user's preset; null for built-in ones
 
@@ -75,7 +75,7 @@ PresetGroups PresetsFor(const Study& study)
 
 QIcon EmptyIcon()
 {
-  QPixmap empty(PictureSize);
+  QPixmap empty(PresetPictureSize);
   empty.fill(QColor(40, 40, 40));
   return empty;
 }
@@ -107,10 +107,10 @@ void PresetGallery::MakeList()
   this->list = new QListWidget;
   this->list->setAccessibleName(tr("Presets"));
   this->list->setViewMode(QListView::IconMode);
-  this->list->setIconSize(PictureSize);
+  this->list->setIconSize(PresetPictureSize);
   this->list->setWordWrap(true);
   const int twoLines = 2 * this->list->fontMetrics().lineSpacing();
-  this->list->setGridSize(PictureSize + QSize(8, 8 + twoLines));
+  this->list->setGridSize(PresetPictureSize + QSize(8, 8 + twoLines));
   this->list->setResizeMode(QListView::Adjust);
   this->list->setMovement(QListView::Static);
   this->list->setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -273,7 +273,7 @@ void PresetGallery::DrawPictures()
       wanted.push_back(this->presets[row]);
     }
   }
-  this->thumbnails.Draw(this->model->EditedStudy(), std::move(wanted), PictureSize);
+  this->thumbnails.Draw(this->model->EditedStudy(), std::move(wanted), PresetPictureSize);
 }
 
 void PresetGallery::ShowPicture(int index, const QImage& picture)
