@@ -81,10 +81,11 @@ VolumeView::VolumeView(SceneModel* model, MapperKind kind, QWidget* parent)
   : QWidget(parent)
   , model(model)
   , kind(kind)
-  , surface(new VolumeSurface(this))
-  , overlay(new OverlayWidget(this))
   , tools(model, *this, [this] { return this->CurrentCamera(); })
 {
+  // A new child is an event, which takes all other members.
+  this->surface = new VolumeSurface(this);
+  this->overlay = new OverlayWidget(this);
   this->setMouseTracking(true);
   this->setFocusPolicy(Qt::StrongFocus);
   for (const Qt::GestureType gesture :

@@ -159,9 +159,9 @@ private:
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkEventQtSlotConnect> events;
   std::optional<ScenePipeline> pipeline;
-  VolumeSurface* surface;
+  VolumeSurface* surface = nullptr;
   bool hasCuts = true; ///< the pipeline has the cuts of the scene; not while the thread draws
-  QWidget* overlay;    ///< an OverlayWidget
+  QWidget* overlay = nullptr; ///< an OverlayWidget
   QVTKInteractorAdapter input;
   Qt::AlignmentFlag reportSide = Qt::AlignLeft;
   FramePacer pacer;
