@@ -106,7 +106,7 @@ TEST_F(Measures, KeepTheirValuesWhileOthersAreEdited)
     });
   EXPECT_EQ(this->Text(0, 1), "10.0 mm");
   EXPECT_EQ(this->Text(2, 1), ofBox);
-  EXPECT_TRUE(this->Text(3, 1).startsWith("mean 77 ")) << this->Text(3, 1).toStdString();
+  EXPECT_TRUE(this->Text(3, 1).startsWith("mean 77.0 ")) << this->Text(3, 1).toStdString();
 }
 
 TEST_F(Measures, ChangeTheirValuesWithTheTimeWhileANameIsTyped)
@@ -120,7 +120,7 @@ TEST_F(Measures, ChangeTheirValuesWithTheTimeWhileANameIsTyped)
   later.image->DeepCopy(this->model.CurrentStudy()->volume.image);
   later.image->GetPointData()->GetScalars()->Fill(77.0);
   this->model.ShowTime(later);
-  EXPECT_TRUE(this->Text(2, 1).startsWith("mean 77 ")) << this->Text(2, 1).toStdString();
+  EXPECT_TRUE(this->Text(2, 1).startsWith("mean 77.0 ")) << this->Text(2, 1).toStdString();
   EXPECT_TRUE(line->isVisible());
 }
 

@@ -226,7 +226,7 @@ TEST_F(VolumeList, MeasuresOfAPetAreUptakes)
     { { middle[0] - 9.0, middle[1] - 9.0, middle[2] - 9.0 },
       { middle[0] + 9.0, middle[1] + 9.0, middle[2] + 9.0 } } } };
   const QString text = MeasureTexts(scene, *pet).values.first();
-  EXPECT_TRUE(text.startsWith("mean 2 ± 0 SUV, from 2 to 2 SUV")) << text.toStdString();
+  EXPECT_TRUE(text.startsWith("mean 2.00 ± 0.00 SUV, from 2 to 2 SUV")) << text.toStdString();
 }
 
 TEST_F(VolumeList, ABoxMeasuresAllThatAreShown)
@@ -244,8 +244,8 @@ TEST_F(VolumeList, ABoxMeasuresAllThatAreShown)
   const QStringList lines = texts.values[0].split('\n');
   ASSERT_EQ(lines.size(), 3);
   EXPECT_TRUE(lines[0].endsWith(" HU")) << lines[0].toStdString();
-  EXPECT_EQ(lines[2], QString::fromUtf8("Volume 2 (PT): mean 2 ± 0 SUV, from 2 to 2 SUV"));
-  EXPECT_EQ(texts.labels[0].section('\n', 2), QString::fromUtf8("PT: mean 2 ± 0 SUV"));
+  EXPECT_EQ(lines[2], QString::fromUtf8("Volume 2 (PT): mean 2.00 ± 0.00 SUV, from 2 to 2 SUV"));
+  EXPECT_EQ(texts.labels[0].section('\n', 2), QString::fromUtf8("PT: mean 2.00 ± 0.00 SUV"));
   EXPECT_EQ(texts.values[1], "5.0 mm");
   const MeasuresPanel measures(&this->model);
   const auto* const table = measures.findChild<QTableWidget*>();

@@ -8,6 +8,7 @@
 #include "Viewer/Model/Study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace varimarch
@@ -23,10 +24,18 @@ QString FourDigits(double value)
   return QLocale().toString(value, 'g', 4);
 }
 
+// Both numbers have as many decimals as show three digits of the larger one.
 QString MeanText(const RegionStatistics& statistics, const QString& unit)
 {
+  const double largest = std::max(std::abs(statistics.mean), statistics.standardDeviation);
+  const int digits = largest > 0.0 ? int(std::floor(std::log10(largest))) + 1 : 1;
+  const auto text = [decimals = std::max(3 - digits, 0), digits](double number)
+  {
+    constexpr int MostDigits = 6; // beyond which a power of ten is shorter
+    return std::abs(digits) <= MostDigits ? NumberText(number, decimals) : FourDigits(number);
+  };
   return MeasureTexts::tr("mean %1 ± %2%3")
-    .arg(FourDigits(statistics.mean), FourDigits(statistics.standardDeviation), unit);
+    .arg(text(statistics.mean), text(statistics.standardDeviation), unit);
 }
 
 QString RangeText(const RegionStatistics& statistics, const QString& unit)
