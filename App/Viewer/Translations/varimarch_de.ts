@@ -4485,7 +4485,7 @@ ml</translation>
     </message>
     <message>
         <source>Several volumes are drawn together as composites.</source>
-        <translation>Mehrere Volumen werden zusammen mit der Mischung Überlagerung gezeichnet.</translation>
+        <translation>Mehrere Volumen werden gemeinsam gezeichnet, als Überlagerung.</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,9 @@ public:
   /// The point at a place, in world space [mm]. Empty beside the curve.
   std::optional<glm::dvec3> PointAt(const QPointF& place) const;
 
+  /// High enough for a vessel and some centimetres around it.
+  QSize sizeHint() const override { return { 400, 200 }; }
+
 signals:
   /// Describes the voxel under the pointer and its distance along the curve, for the status bar.
   void Pointed(const QString& text);
