@@ -3,7 +3,8 @@
 // Usage: ViewerTasks FOLDER [--language CODE] [--theme light|dark|contrast] [--head FILE]
 //   [--task NAME] [--table TenTasks.md]
 // on a display that the window fills. Writes a picture of the window after each task into the
-// folder. With a table, fails if its rows have other numbers.
+// folder. With a table, writes none and does not wait for them, but fails if its rows have other
+// numbers.
 
 #include "FakeWebArchive.h"
 #include "LeaksOfOthers.h"
@@ -53,10 +54,12 @@ namespace
 class Tasks
 {
 public:
-  /// @param head  a CT of a head for the task of the face; empty: the chest
-  Tasks(const QString& folder, const QString& head)
+  /// @param head           a CT of a head for the task of the face; empty: the chest
+  /// @param takesPictures  of the window, for which each task waits
+  Tasks(const QString& folder, const QString& head, bool takesPictures)
     : folder(folder)
     , head(head)
+    , takesPictures(takesPictures)
   {
     KeepAsHospital(this->server.Url());
     this->server.Answer("/studies", "application/dicom+json", "{}");
@@ -305,7 +308,7 @@ private:
 
   void Take(const QString& name, QWidget* widget)
   {
-    if (!widget->grab().save(this->folder + "/" + name + ".png"))
+    if (this->takesPictures && !widget->grab().save(this->folder + "/" + name + ".png"))
     {
       throw std::runtime_error("a picture is not written");
     }
@@ -315,7 +318,10 @@ private:
   void Finish(const QString& name, const QString& task)
   {
     this->efforts.push_back({ task, this->hand.Clicks(), this->hand.Seconds() });
-    AwaitPictures(*this->window);
+    if (this->takesPictures)
+    {
+      AwaitPictures(*this->window);
+    }
     this->Take(name, this->window.get());
     this->hand.Expect(
       [](QWidget* dialog)
@@ -333,6 +339,7 @@ private:
 
   QString folder;
   QString head;
+  bool takesPictures;
   TaskScans scans;
   FakeWebArchive server;
   TaskHand hand;
@@ -342,7 +349,8 @@ private:
 
 int Run(const QCommandLineParser& options)
 {
-  Tasks tasks(options.positionalArguments().value(0), options.value("head"));
+  Tasks tasks(
+    options.positionalArguments().value(0), options.value("head"), !options.isSet("table"));
   const std::pair<const char*, void (Tasks::*)()> all[] = { { "open-cd", &Tasks::OpenCd },
     { "aneurysm", &Tasks::FindAneurysm }, { "pet", &Tasks::MeasureUptake },
     { "nodule", &Tasks::MeasureNodule }, { "bone", &Tasks::ShowBoneWithoutTable },
