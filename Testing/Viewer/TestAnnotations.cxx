@@ -234,7 +234,7 @@ class Curved : public Annotations
 protected:
   Curved()
   {
-    this->view.resize(400, 200);
+    this->view.resize(400, 320);
     this->view.show();
   }
 
@@ -252,7 +252,7 @@ protected:
   QString PointedAt(double x)
   {
     QSignalSpy pointed(&this->view, &CurvedView::Pointed);
-    QMouseEvent move(QEvent::MouseMove, QPointF(x, 100), Qt::NoButton, Qt::NoButton, {});
+    QMouseEvent move(QEvent::MouseMove, QPointF(x, 160), Qt::NoButton, Qt::NoButton, {});
     QApplication::sendEvent(&this->view, &move);
     return pointed.last().first().toString();
   }
@@ -294,7 +294,7 @@ TEST_F(Curved, HasAWholeTickAtItsBeginning)
 TEST_F(Curved, PutsTheCrosshairOnTheCurveAtItsDistance)
 {
   this->AddCurve();
-  QTest::mouseClick(&this->view, Qt::LeftButton, {}, { 100, 100 });
+  QTest::mouseClick(&this->view, Qt::LeftButton, {}, { 100, 160 });
   const CurvePath& path = *this->view.Path();
   const glm::dvec3 crosshair = VectorOf(*this->model.CurrentScene().slices.crosshairMm);
   const glm::dvec3 expected = path.At(0.25 * path.LengthMm(), 0.0).pointMm;
@@ -302,6 +302,18 @@ TEST_F(Curved, PutsTheCrosshairOnTheCurveAtItsDistance)
   const QString half = QString::number(0.5 * path.LengthMm(), 'f', 1);
   EXPECT_TRUE(this->PointedAt(200.0).startsWith(half + " mm along the curve"))
     << this->PointedAt(200.0).toStdString();
+}
+
+TEST_F(Curved, ShowsSixCentimetresAcrossACurveInALowView)
+{
+  this->view.resize(800, 120);
+  this->AddCurve();
+  const auto top = this->view.PointAt({ 0.0, 0.0 });
+  const auto bottom = this->view.PointAt({ 0.0, 120.0 });
+  EXPECT_NEAR(glm::distance(*top, *bottom), 60.0, 0.01);
+  EXPECT_FALSE(this->view.PointAt({ 799.0, 60.0 })) << "the curve ends before";
+  const QImage picture = this->view.grab().toImage();
+  EXPECT_EQ(picture.pixelColor(799, 60), QColor(Qt::black));
 }
 
 TEST_F(Curved, IsTurnedByTheWheelAndTheKeys)

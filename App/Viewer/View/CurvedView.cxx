@@ -31,6 +31,7 @@ namespace
 
 const QColor PlaceColor(90, 200, 250, 170);
 constexpr double DegreesPerNotch = 5.0;
+constexpr double LeastHeightMm = 60.0; // an aorta has 30 mm
 const char* const StretchedKey = "curve/stretched";
 
 // The last visible curve of a scene, if it has a length.
@@ -120,21 +121,25 @@ void CurvedView::FindCut()
   this->update();
 }
 
-// The curve fills the view from left to right. A stretched one has been turned already.
+// The curve fills the view from left to right, or less of it if the view is so low that little
+// around a vessel would be seen. A stretched one has been turned already.
 CurvedRequest CurvedView::Request() const
 {
+  const double lengthMm = this->cut->LengthMm();
+  const double mmPerPixel =
+    std::max(lengthMm / std::max(this->width(), 1), LeastHeightMm / std::max(this->height(), 1));
   const Scene& scene = this->model->CurrentScene();
   const Study& study = *this->model->CurrentStudy();
   const SliceGrays grays = SuggestedGrays(study.volume, study.statistics);
   const auto [window, level] = scene.slices.windowLevel.value_or(grays.windowLevel);
-  return { this->cut->LengthMm() / std::max(this->width(), 1), this->width(), this->height(),
+  return { mmPerPixel, std::max(int(std::lround(lengthMm / mmPerPixel)), 1), this->height(),
     this->stretched ? 0.0 : scene.slices.curveTurnDegrees,
     { window, level, scene.slices.slabMm, scene.slices.slabBlend, grays.inverted } };
 }
 
 std::optional<glm::dvec3> CurvedView::PointAt(const QPointF& place) const
 {
-  const bool isOnCurve = this->path && place.x() >= 0.0 && place.x() <= this->width();
+  const bool isOnCurve = this->path && place.x() >= 0.0 && place.x() <= this->Request().width;
   return isOnCurve ? std::optional(PointInCurved(*this->cut, this->Request(), place.x(), place.y()))
                    : std::nullopt;
 }
@@ -161,13 +166,14 @@ void CurvedView::DrawVoxels(QPainter& painter) const
 {
   // Render at the resolution of the screen.
   CurvedRequest request = this->Request();
+  const QRect place(0, 0, request.width, request.height);
   const double ratio = this->devicePixelRatioF();
   request.width = std::max(int(request.width * ratio), 1);
   request.height = std::max(int(request.height * ratio), 1);
   request.mmPerPixel /= ratio;
   const std::vector<std::uint8_t> grays =
     CurvedPicture(this->model->CurrentStudy()->volume.image, *this->cut, request);
-  painter.drawImage(this->rect(),
+  painter.drawImage(place,
     QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
 }
 
