@@ -392,30 +392,6 @@ Fehler unbekannt</translation>
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1
-coarse voxels, error unknown</source>
-        <translation>%1
-grobe Voxel, Fehler unbekannt</translation>
-    </message>
-    <message>
-        <source>%1
-error at most %2 %, refining</source>
-        <translation>%1
-Fehler höchstens %2 %, wird verfeinert</translation>
-    </message>
-    <message>
-        <source>%1
-error not bounded</source>
-        <translation>%1
-Fehler nicht begrenzt</translation>
-    </message>
-    <message>
-        <source>%1
-error at most 1/%2</source>
-        <translation>%1
-Fehler höchstens 1/%2</translation>
-    </message>
-    <message>
         <source>
 except at single pixels</source>
         <translation>
@@ -428,12 +404,6 @@ mean of %1 frames</source>
 Mittel von %1 Bildern</translation>
     </message>
     <message>
-        <source>%1
-%2 % of the image</source>
-        <translation>%1
-%2 % des Bildes</translation>
-    </message>
-    <message>
         <source>
 segments not supported</source>
         <translation>
@@ -444,6 +414,38 @@ kennt keine Segmente</translation>
 masks not supported</source>
         <translation>
 Masken nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>error at most 1/%1, refined</source>
+        <translation>Fehler höchstens 1/%1, fertig verfeinert</translation>
+    </message>
+    <message>
+        <source>error at most 1/%1</source>
+        <translation>Fehler höchstens 1/%1</translation>
+    </message>
+    <message>
+        <source>%1 % of the image</source>
+        <translation>%1 % des Bildes</translation>
+    </message>
+    <message>
+        <source>coarse voxels, error unknown</source>
+        <translation>grobe Voxel, Fehler unbekannt</translation>
+    </message>
+    <message>
+        <source>error at most %1 %, refining</source>
+        <translation>Fehler höchstens %1 %, wird verfeinert</translation>
+    </message>
+    <message>
+        <source>error not bounded</source>
+        <translation>Fehler nicht begrenzt</translation>
+    </message>
+    <message>
+        <source>
+Less error takes long, since its voxels do not fit in the memory:
+allow more in the menu File, or zoom in.</source>
+        <translation>
+Weniger Fehler dauert lange, da seine Voxel nicht in den Arbeitsspeicher passen:
+Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     </message>
 </context>
 <context>

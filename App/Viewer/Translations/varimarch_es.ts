@@ -392,30 +392,6 @@ error desconocido</translation>
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1
-coarse voxels, error unknown</source>
-        <translation>%1
-vóxeles de baja resolución, error desconocido</translation>
-    </message>
-    <message>
-        <source>%1
-error at most %2 %, refining</source>
-        <translation>%1
-error de %2 % como máximo, refinando</translation>
-    </message>
-    <message>
-        <source>%1
-error not bounded</source>
-        <translation>%1
-error no acotado</translation>
-    </message>
-    <message>
-        <source>%1
-error at most 1/%2</source>
-        <translation>%1
-error como máximo 1/%2</translation>
-    </message>
-    <message>
         <source>
 except at single pixels</source>
         <translation>
@@ -428,12 +404,6 @@ mean of %1 frames</source>
 media de %1 imágenes</translation>
     </message>
     <message>
-        <source>%1
-%2 % of the image</source>
-        <translation>%1
-%2 % de la imagen</translation>
-    </message>
-    <message>
         <source>
 segments not supported</source>
         <translation>
@@ -444,6 +414,38 @@ no conoce los segmentos</translation>
 masks not supported</source>
         <translation>
 no admite máscaras</translation>
+    </message>
+    <message>
+        <source>error at most 1/%1, refined</source>
+        <translation>error como máximo 1/%1, refinado</translation>
+    </message>
+    <message>
+        <source>error at most 1/%1</source>
+        <translation>error como máximo 1/%1</translation>
+    </message>
+    <message>
+        <source>%1 % of the image</source>
+        <translation>%1 % de la imagen</translation>
+    </message>
+    <message>
+        <source>coarse voxels, error unknown</source>
+        <translation>vóxeles de baja resolución, error desconocido</translation>
+    </message>
+    <message>
+        <source>error at most %1 %, refining</source>
+        <translation>error de %1 % como máximo, refinando</translation>
+    </message>
+    <message>
+        <source>error not bounded</source>
+        <translation>error no acotado</translation>
+    </message>
+    <message>
+        <source>
+Less error takes long, since its voxels do not fit in the memory:
+allow more in the menu File, or zoom in.</source>
+        <translation>
+Un error menor tarda mucho, porque sus vóxeles no caben en la memoria:
+permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 
 #include <vtkVariationFieldVolumeMapper.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace varimarch
@@ -35,6 +36,49 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
   return report;
 }
 
+QString BoundedError(const PictureNumbers& ours)
+{
+  const int parts = int(std::lround(1.0 / ours.errorTolerance));
+  QString error = ours.isRefined ? Texts::tr("error at most 1/%1, refined").arg(parts)
+                                 : Texts::tr("error at most 1/%1").arg(parts);
+  if (!ours.keepsTolerance)
+  {
+    error += Texts::tr("\nexcept at single pixels");
+  }
+  if (ours.averaged > 1)
+  {
+    error += Texts::tr("\nmean of %1 frames").arg(ours.averaged);
+  }
+  return error;
+}
+
+QString Remedy(const PictureNumbers& ours)
+{
+  return ours.voxelsFit ? QString()
+                        : Texts::tr("\nLess error takes long, since its voxels do not fit in the "
+                                    "memory:\nallow more in the menu File, or zoom in.");
+}
+
+QString ErrorOf(const PictureNumbers& ours)
+{
+  if (ours.averaged == 0)
+  {
+    const double part = ours.drawnPart * ours.mostAveraged;
+    return Texts::tr("%1 % of the image").arg(int(100.0 * part)) + Remedy(ours);
+  }
+  if (ours.isCoarse)
+  {
+    return Texts::tr("coarse voxels, error unknown");
+  }
+  if (ours.refinedError > 0.5 * ours.errorTolerance)
+  {
+    const double error = std::min(*ours.refinedError + 0.5 * ours.errorTolerance, 1.0);
+    return Texts::tr("error at most %1 %, refining").arg(NumberText(100.0 * error, 1)) +
+      Remedy(ours);
+  }
+  return ours.errorTolerance > 0.0 ? BoundedError(ours) : Texts::tr("error not bounded");
+}
+
 }
 
 PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper)
@@ -44,9 +88,15 @@ PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper)
     mapper->GetErrorToleranceIsKept() };
   const int level = mapper->GetUsedLevelOfDetail();
   numbers.isCoarse = level == vtkVariationFieldVolumeMapper::CoarseLevel;
-  if (level == vtkVariationFieldVolumeMapper::RefinedLevel && numbers.drawnPart < 1.0)
+  if (level == vtkVariationFieldVolumeMapper::RefinedLevel)
   {
-    numbers.refinedError = mapper->GetLevelErrorBound();
+    const double bound = mapper->GetLevelErrorBound();
+    numbers.isRefined = bound <= 0.5 * numbers.errorTolerance;
+    if (numbers.drawnPart < 1.0)
+    {
+      numbers.refinedError = bound;
+      numbers.voxelsFit = mapper->GetNextRefinementFits();
+    }
   }
   return numbers;
 }
@@ -59,37 +109,7 @@ QString PictureReport(
   {
     return ReportOfVtk(kind, scene, time);
   }
-  if (ours->averaged == 0)
-  {
-    const double part = ours->drawnPart * ours->mostAveraged;
-    return Texts::tr("%1\n%2 % of the image").arg(time).arg(int(100.0 * part));
-  }
-  if (ours->isCoarse)
-  {
-    return Texts::tr("%1\ncoarse voxels, error unknown").arg(time);
-  }
-  if (ours->refinedError > 0.5 * ours->errorTolerance)
-  {
-    const double error = *ours->refinedError + 0.5 * ours->errorTolerance;
-    return Texts::tr("%1\nerror at most %2 %, refining")
-      .arg(time)
-      .arg(NumberText(100.0 * error, 1));
-  }
-  if (ours->errorTolerance <= 0.0)
-  {
-    return Texts::tr("%1\nerror not bounded").arg(time);
-  }
-  QString report =
-    Texts::tr("%1\nerror at most 1/%2").arg(time).arg(int(std::lround(1.0 / ours->errorTolerance)));
-  if (!ours->keepsTolerance)
-  {
-    report += Texts::tr("\nexcept at single pixels");
-  }
-  if (ours->averaged > 1)
-  {
-    report += Texts::tr("\nmean of %1 frames").arg(ours->averaged);
-  }
-  return report;
+  return time + '\n' + ErrorOf(*ours);
 }
 
 }

@@ -23,6 +23,8 @@ struct PictureNumbers
   bool isCoarse = false;      ///< true for a coarse level or copy of a volume in its file
   /// A bound of the error of coarse voxels in an image that still takes finer ones.
   std::optional<double> refinedError = {};
+  bool isRefined = false; ///< true for an image of coarse and fine voxels that needs no finer ones
+  bool voxelsFit = true;  ///< false if the fine voxels that are to come may not fit in the memory
 };
 
 PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper);

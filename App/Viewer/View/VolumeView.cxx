@@ -46,9 +46,7 @@ protected:
       this->view->still.Paint(painter, this->rect(), background);
       this->PaintPictureOfThread(painter, background);
       const QRectF report = DrawLegibly(painter, this->rect().adjusted(10, 10, -10, -10),
-        this->view->reportSide | Qt::AlignTop,
-        PictureReport(this->view->Numbers(), this->view->kind, this->view->model->CurrentScene(),
-          this->view->pictureSeconds));
+        this->view->reportSide | Qt::AlignTop, this->view->Report());
       DrawOverlay(painter,
         { this->view->model->CurrentScene(), this->view->texts,
           this->view->model->CurrentStudy()->volume.image },

@@ -56,6 +56,9 @@ public:
   /// Rendering time of the last frame, without the pauses between its parts [s].
   double PictureSeconds() const { return this->pictureSeconds; }
 
+  /// The text in the corner; empty before the first volume.
+  QString Report();
+
   /// Size of the image that is shown [pixels]: less than that of the view while the user turns it.
   QSize PicturePixels() const;
 

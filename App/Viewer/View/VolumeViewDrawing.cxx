@@ -154,6 +154,13 @@ QSize VolumeView::PicturePixels() const
   return isOfThread ? this->thread->Last()->image.size() : this->size() * this->devicePixelRatioF();
 }
 
+QString VolumeView::Report()
+{
+  return this->pipeline
+    ? PictureReport(this->Numbers(), this->kind, this->model->CurrentScene(), this->pictureSeconds)
+    : QString();
+}
+
 std::optional<PictureNumbers> VolumeView::Numbers()
 {
   std::optional<PictureNumbers> numbers = this->NumbersOfMapper();
