@@ -157,7 +157,7 @@ void TellOfLevel(vtkVariationFieldVolumeMapper* ours, double seconds)
     {
       text
         << "; the voxels of the next image may not fit in the memory, so that it is the last one, "
-           "and reads them anew for each trial of its steps";
+           "and takes long";
     }
     PrintMessage(text.str());
   }

@@ -83,6 +83,24 @@ TEST_F(RefinedLevels, EndWithOneImageOfVoxelsThatDoNotFit)
   EXPECT_LT(images[1], images[0]);
 }
 
+// Each pass over the rays of trial images would read them anew too: one has all half octaves.
+TEST_F(RefinedLevels, HaveStepsOfHalfOctavesIfVoxelsDoNotFit)
+{
+  MapperScene scene(this->ReadVoxels(Waves));
+  UseFog(scene, 0.0, 0.03);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::VoxelLevel);
+  const std::vector<float> voxels = scene.Draw();
+  constexpr vtkIdType TooLittle = 400000;
+  scene.mapper->SetMaximumHostMemory(TooLittle);
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  scene.mapper->SetLevelOfDetail(vtkVariationFieldVolumeMapper::RefinedLevel);
+  const std::vector<float> drawn = DrawAll(scene);
+  EXPECT_FALSE(scene.mapper->GetNextRefinementFits());
+  const double halves = 2.0 * std::log2(scene.mapper->GetUsedSampleDistance());
+  EXPECT_NEAR(halves, std::round(halves), 1e-3) << "the search was not of half octaves";
+  EXPECT_LE(LargestDifference(drawn, voxels), 0.5 / 64.0 + Steps);
+}
+
 TEST_F(RefinedLevels, HaveStepsOfTheirOwnInEachImage)
 {
   MapperScene scene(this->ReadVoxels(Waves));

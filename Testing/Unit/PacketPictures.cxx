@@ -156,7 +156,7 @@ void PacketPictures::LightFromTheEye()
 std::vector<float> PacketPictures::March(InstructionSet set) const
 {
   std::vector<float> rgba(std::size_t(4 * this->view.width * this->view.height));
-  MarchPackets(this->scene, { 0, 0, this->view.width, this->view.height }, rgba.data(), set);
+  MarchPackets(this->scene, this->Pixels(), rgba.data(), set);
   return rgba;
 }
 

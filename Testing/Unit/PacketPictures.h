@@ -58,6 +58,8 @@ public:
   void PreIntegrate();
   void LightFromTheEye();
 
+  Viewport Pixels() const { return { 0, 0, this->view.width, this->view.height }; }
+
   /// The images: premultiplied, the bottom row first.
   std::vector<float> March(InstructionSet set) const;
   std::vector<float> Truth() const;

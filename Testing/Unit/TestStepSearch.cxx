@@ -1,9 +1,12 @@
 #include "Core/Quality/StepSearch.h"
 
+#include "Core/Quality/TrialDistances.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 
 using namespace varimarch;
@@ -247,4 +250,50 @@ TEST(StepSearch, AnEarlierLongDistanceDoesNotHideAFeatureThatASearchSees)
   const StepChoice choice = FindSampleDistanceFrom(4.0, draw, Limit, Range, 1.0).choice;
   EXPECT_TRUE(choice.KeepsLimit());
   EXPECT_LT(choice.sampleDistance, SeenFrom);
+}
+
+TEST(StepSearch, ASearchOfHalfOctavesTakesTheLongestThatKeepsTheLimit)
+{
+  constexpr double HalfOctave = 1.4142135623730951;
+  StepRange range = Range;
+  range.isOfHalfOctaves = true;
+  int drawings = 0;
+  for (const double factor : { 0.003, 0.01, 0.1, 1.0 })
+  {
+    const PowerLaw law{ factor, 1.6, &drawings };
+    const StepChoice choice = Find(law, 1.0, range);
+    const double halves = 2.0 * std::log2(choice.sampleDistance);
+    EXPECT_NEAR(halves, std::round(halves), 1e-6) << factor;
+    EXPECT_TRUE(choice.KeepsLimit());
+    const double longer = factor * std::pow(HalfOctave * choice.sampleDistance, 1.6);
+    EXPECT_GT(longer, Limit.percentile999) << factor;
+  }
+}
+
+TEST(StepSearch, ASearchOfHalfOctavesNeedsTwoPassesWhereEachDrawsTheDistancesAround)
+{
+  StepRange range = Range;
+  range.isOfHalfOctaves = true;
+  int drawings = 0;
+  for (const double factor : { 0.0, 0.0003, 0.003, 0.01, 0.1, 1.0, 30.0 })
+  {
+    const PowerLaw law{ factor, 1.6, &drawings };
+    std::map<long, std::vector<float>> drawn; // by distance
+    int passes = 0;
+    const auto numberOf = [](double distance) { return std::lround(1e6 * std::log2(distance)); };
+    const auto draw = [&](double distance)
+    {
+      if (drawn.count(numberOf(distance)) == 0)
+      {
+        ++passes;
+        for (const double one : DistancesDrawnWith(distance, range))
+        {
+          drawn[numberOf(one)] = law(one);
+        }
+      }
+      return drawn[numberOf(distance)];
+    };
+    Find(draw, 1.0, range);
+    EXPECT_LE(passes, 2) << factor;
+  }
 }

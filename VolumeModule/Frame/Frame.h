@@ -155,7 +155,8 @@ struct Frame
   /// blocks.
   std::vector<Frame> coarser;
   std::shared_ptr<const BlockLevels> blockLevels; ///< null without coarser levels
-  int levelRound = 0; ///< tells the levels of an image from those of others of the same scene
+  int levelRound = 0;    ///< tells the levels of an image from those of others of the same scene
+  bool voxelsFit = true; ///< False if the voxels that are drawn may not fit in the memory for them.
 };
 
 }

@@ -23,9 +23,11 @@ public:
   /// @throws std::runtime_error if there is no memory, or a shader cannot be compiled
   virtual void Draw(const Frame& frame, const MarchPlan& plan) = 0;
 
-  /// Marches a trial image without changing the current framebuffer.
-  /// @return premultiplied RGBA of the pixels of the plan's viewport
-  virtual std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan) = 0;
+  /// Marches trial images without changing the current framebuffer.
+  /// @param plans  those of images that differ in their sample distances only
+  /// @return premultiplied RGBA of the pixels of the viewport of each plan
+  virtual std::vector<std::vector<float>> DrawTrials(
+    const Frame& frame, const std::vector<MarchPlan>& plans) = 0;
 
   virtual std::size_t Bytes() const = 0; ///< The graphics memory of this marcher.
   virtual void Release(vtkWindow* window) = 0;

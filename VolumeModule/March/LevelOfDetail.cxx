@@ -335,6 +335,7 @@ Frame LevelOfDetail::RefinedFrame(
   Frame refined = frame;
   refined.coarser = std::move(coarser);
   refined.blockLevels = refinement.Levels();
+  refined.voxelsFit = refinement.NextFits();
   QualityRequest& quality = refined.quality;
   quality.budget.tolerance *= 1.0 - LevelShare;
   quality.earlyTerminationTransmittance =

@@ -84,12 +84,16 @@ std::optional<PreparedTrials> RayMarcher::PrepareTrials(const Frame& frame)
     this->ToleranceInputsOf(frame, plan) };
 }
 
-std::vector<float> RayMarcher::DrawTrial(
-  const Frame& frame, const MarchPlan& plan, const TrialImage& image)
+std::vector<std::vector<float>> RayMarcher::DrawTrials(
+  const Frame& frame, const MarchPlan& plan, const std::vector<TrialImage>& images)
 {
-  const MarchPlan tried = image.PlanOf(plan);
-  this->resources.UpdatePreIntegrated(frame, tried);
-  return this->MarcherOf(tried).DrawTrial(frame, tried);
+  std::vector<MarchPlan> plans;
+  for (const TrialImage& image : images)
+  {
+    plans.push_back(image.PlanOf(plan));
+  }
+  this->resources.UpdatePreIntegrated(frame, plans.front());
+  return this->MarcherOf(plan).DrawTrials(frame, plans);
 }
 
 void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& quality)
@@ -228,14 +232,14 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
     }
   };
   bool hasTried = false;
-  const auto drawTrial = [&](const TrialImage& image)
+  const auto drawTrials = [&](const std::vector<TrialImage>& images)
   {
     stopIfUnwanted();
     hasTried = true;
-    return this->DrawTrial(frame, plan, image);
+    return this->DrawTrials(frame, plan, images);
   };
-  this->tolerance.Update(
-    MarchOf(frame, plan), this->resources.First(), this->ToleranceInputsOf(frame, plan), drawTrial);
+  this->tolerance.Update(MarchOf(frame, plan), this->resources.First(),
+    this->ToleranceInputsOf(frame, plan), drawTrials);
   if (hasTried)
   {
     stopIfUnwanted();

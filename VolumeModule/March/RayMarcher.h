@@ -53,10 +53,11 @@ public:
     const Frame& frame, const std::optional<PictureQuality>& quality, const ReceivedLight& light);
   /// Prepares the trial images of a frame; none if it has no tolerance.
   std::optional<PreparedTrials> PrepareTrials(const Frame& frame);
-  /// Draws a trial image.
+  /// Draws trial images that differ in their sample distances only.
   /// @param plan  the one that was prepared, or that of the image
-  /// @return  premultiplied RGBA of its pixels
-  std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan, const TrialImage& image);
+  /// @return  premultiplied RGBA of the pixels of each
+  std::vector<std::vector<float>> DrawTrials(
+    const Frame& frame, const MarchPlan& plan, const std::vector<TrialImage>& images);
   /// Sets the steps of images that are not interactive; none: those of a search.
   void SetCommonSteps(const std::optional<CommonSteps>& steps) { this->commonSteps = steps; }
 

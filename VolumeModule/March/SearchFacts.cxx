@@ -65,7 +65,7 @@ StepRange RangeOf(const VolumeMarch& march)
   // The search also draws at half of the finest distance.
   const double finestMm = std::max(
     FinestVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
-  return { coarsestMm, std::min(finestMm, coarsestMm) };
+  return { coarsestMm, std::min(finestMm, coarsestMm), !march.frame.voxelsFit };
 }
 
 }
@@ -79,6 +79,7 @@ SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)
   facts.firstMm = SmallestSpacingMm(march.frame);
   facts.usual = march.settings.integration;
   facts.choosesIntegration = march.plan.choosesIntegration;
+  facts.preIntegratesByTable = !MarchesMaterial(march.settings);
   facts.hasLight = march.settings.shading || march.settings.occlusion;
   facts.isShaded = march.settings.shading;
   facts.looksForPeaks = march.settings.blend == Blend::Composite &&

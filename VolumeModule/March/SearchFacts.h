@@ -14,8 +14,9 @@ struct SearchFacts
   StepRange range = {}; ///< The sample distances to search [mm].
   double firstMm = 0.0; ///< The smallest distance of two voxels [mm].
   Integration usual = Integration::Midpoint;
-  bool choosesIntegration = false; ///< True if a trial may choose pre-integration.
-  bool hasLight = false;           ///< True if an image without light is another.
+  bool choosesIntegration = false;   ///< True if a trial may choose pre-integration.
+  bool preIntegratesByTable = false; ///< True if each distance has a table of its own.
+  bool hasLight = false;             ///< True if an image without light is another.
   bool isShaded = false;
   bool looksForPeaks = false;      ///< True for a composite whose opacity depends on values alone.
   bool hasNarrowPeaks = false;     ///< True if samples may miss peaks of the transfer function.

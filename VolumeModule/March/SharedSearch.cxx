@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -130,16 +131,25 @@ double RoundedDown(double distance, const SearchFacts& facts)
     std::min(facts.range.finest, distance), facts.firstMm * std::exp2(level / PerOctave));
 }
 
+// Draws the parts of this process in a trial image.
+using PartsDrawing = std::function<std::vector<float>(const TrialImage& image)>;
+
 // Searches, and lets the others draw trial images until it is done.
 std::optional<CommonSteps> LeadSearch(
-  const SearchFacts& facts, const TrialDrawing& drawOwn, const SearchingProcesses& processes)
+  const SearchFacts& facts, const PartsDrawing& drawOwn, const SearchingProcesses& processes)
 {
-  const auto draw = [&](const TrialImage& image)
+  const auto draw = [&](const std::vector<TrialImage>& images)
   {
-    SearchMessage message = MessageOf(image);
-    processes.takeFromLeader(message);
-    std::vector<float> whole = processes.layOver(drawOwn(image));
-    return whole.empty() ? throw std::runtime_error("no part drew a trial image") : whole;
+    std::vector<std::vector<float>> drawn;
+    for (const TrialImage& image : images)
+    {
+      SearchMessage message = MessageOf(image);
+      processes.takeFromLeader(message);
+      std::vector<float> whole = processes.layOver(drawOwn(image));
+      drawn.push_back(
+        whole.empty() ? throw std::runtime_error("no part drew a trial image") : std::move(whole));
+    }
+    return drawn;
   };
   std::optional<CommonSteps> found;
   try
@@ -159,7 +169,7 @@ std::optional<CommonSteps> LeadSearch(
 
 // Draws the trial images that the leader asks for, until it has found the steps.
 std::optional<CommonSteps> FollowSearch(
-  const TrialDrawing& drawOwn, const SearchingProcesses& processes)
+  const PartsDrawing& drawOwn, const SearchingProcesses& processes)
 {
   SearchMessage message(SearchMessageLength);
   for (processes.takeFromLeader(message); message[0] == DrawsTrial;
@@ -257,8 +267,8 @@ std::vector<float> SharedSearch::DrawParts(std::vector<Part>& parts, const Trial
   {
     for (Part& part : parts)
     {
-      whole =
-        LaidOver(std::move(whole), part.marcher->DrawTrial(part.frame, part.trials.plan, image));
+      whole = LaidOver(std::move(whole),
+        part.marcher->DrawTrials(part.frame, part.trials.plan, { image }).front());
     }
   }
   catch (const std::exception&)

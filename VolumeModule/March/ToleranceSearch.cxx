@@ -55,24 +55,6 @@ ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const E
 
 }
 
-MarchPlan TrialImage::PlanOf(const MarchPlan& image) const
-{
-  Viewport pixels = TrialPixels(image.viewport);
-  if (this->isSmall)
-  {
-    pixels.width = std::max(pixels.width / 2, 1);
-    pixels.height = std::max(pixels.height / 2, 1);
-  }
-  MarchPlan tried = image.WithViewport(pixels);
-  tried.pass = RayPass::Whole;
-  tried.integration = this->integration;
-  tried.sampleDistanceMm = this->sampleDistanceMm;
-  tried.isTrial = true;
-  tried.isLit = this->isLit;
-  tried.hasSmallTable = this->hasSmallTable;
-  return tried;
-}
-
 void ToleranceSearch::Forget()
 {
   this->choice.reset();
@@ -134,7 +116,8 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
   {
     return;
   }
-  const Trial trial{ FactsOf(march, volume), draw };
+  const SearchFacts facts = FactsOf(march, volume);
+  const Trial trial{ facts, { facts, draw } };
   if (!this->KeepBesideMovedCasters(trial, inputs))
   {
     ToleranceChoice made = this->ChooseSteps(trial, inputs);
@@ -154,29 +137,20 @@ double ToleranceSearch::SampleDistanceInViewMm() const
 const std::vector<float>& ToleranceSearch::Trial::Draw(
   Integration integration, double sampleDistanceMm)
 {
-  return this->DrawOnce(true, integration, sampleDistanceMm);
+  return this->images.Of({ integration, sampleDistanceMm, true, false, this->isSmall });
 }
 
 const std::vector<float>& ToleranceSearch::Trial::DrawUnlit(
   Integration integration, double sampleDistanceMm)
 {
-  return this->DrawOnce(!this->facts.hasLight, integration, sampleDistanceMm);
+  return this->images.Of(
+    { integration, sampleDistanceMm, !this->facts.hasLight, false, this->isSmall });
 }
 
-std::vector<float> ToleranceSearch::Trial::DrawWithSmallTable(double sampleDistanceMm)
+const std::vector<float>& ToleranceSearch::Trial::DrawWithSmallTable(double sampleDistanceMm)
 {
-  return this->draw({ Integration::PreIntegrated, sampleDistanceMm, false, true, this->isSmall });
-}
-
-const std::vector<float>& ToleranceSearch::Trial::DrawOnce(
-  bool isLit, Integration integration, double distanceMm)
-{
-  std::vector<float>& image = this->drawn[{ isLit, integration, distanceMm }];
-  if (image.empty())
-  {
-    image = this->draw({ integration, distanceMm, isLit, false, this->isSmall });
-  }
-  return image;
+  return this->images.Of(
+    { Integration::PreIntegrated, sampleDistanceMm, false, true, this->isSmall });
 }
 
 FoundSteps ToleranceSearch::Trial::Find(
@@ -233,7 +207,7 @@ ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs&
 
 ToleranceChoice ToleranceSearch::ChooseAnew(const SearchFacts& facts, const TrialDrawing& draw)
 {
-  Trial trial{ facts, draw };
+  Trial trial{ facts, { facts, draw } };
   return ChooseAnew(trial, {});
 }
 
@@ -270,7 +244,8 @@ bool ToleranceSearch::PreIntegrationMayPay(
     return trial.facts.mayPreIntegrate;
   }
   const double distanceMm = choice.step.sampleDistance;
-  if (distanceMm >= trial.facts.range.coarsest)
+  // Voxels that are read anew for each pass over the rays take longer than the steps.
+  if (distanceMm >= trial.facts.range.coarsest || trial.facts.range.isOfHalfOctaves)
   {
     return false;
   }

@@ -4,12 +4,10 @@
 #include "Core/Quality/StepSearch.h"
 #include "March/SearchFacts.h"
 #include "March/ToleranceInputs.h"
+#include "March/TrialImages.h"
 
-#include <functional>
 #include <list>
-#include <map>
 #include <optional>
-#include <tuple>
 #include <vector>
 
 namespace varimarch
@@ -24,22 +22,6 @@ struct ToleranceChoice
   double missedOfLimit = 0.0; ///< The error that no sample distance shows, in parts of the limit.
   bool isOfOtherCasters = false; ///< True if it was found before geometry moved, and tried since.
 };
-
-/// A trial image of a search.
-struct TrialImage
-{
-  Integration integration;
-  double sampleDistanceMm;
-  bool isLit;         ///< False for opacities alone, which do not depend on light.
-  bool hasSmallTable; ///< True for half of the pre-integrated values.
-  bool isSmall;       ///< True for a quarter of the rays.
-
-  /// The plan that draws it.
-  MarchPlan PlanOf(const MarchPlan& image) const;
-};
-
-/// Draws a trial image and returns premultiplied RGBA of its pixels.
-using TrialDrawing = std::function<std::vector<float>(const TrialImage& tried)>;
 
 /// Finds the steps that keep a frame's error tolerance by drawing trial images with some of its
 /// rays, and reuses them as long as they are valid: Documentation/Decisions/0008. It remembers the
@@ -69,21 +51,16 @@ private:
   struct Trial
   {
     SearchFacts facts;
-    const TrialDrawing& draw;
+    TrialImages images;
     bool isSmall = false; ///< True for images with a quarter of the rays.
-    /// The images drawn so far, by lighting, rule and sample distance.
-    std::map<std::tuple<bool, Integration, double>, std::vector<float>> drawn = {};
 
     const std::vector<float>& Draw(Integration integration, double sampleDistanceMm);
     const std::vector<float>& DrawUnlit(Integration integration, double sampleDistanceMm);
     /// Unlit, with a pre-integrated table of half as many values on a side.
-    std::vector<float> DrawWithSmallTable(double sampleDistanceMm);
+    const std::vector<float>& DrawWithSmallTable(double sampleDistanceMm);
     /// @param exact  see FindSampleDistance
     FoundSteps Find(Integration integration, double firstMm, const std::vector<float>& exact = {});
     FoundSteps FindFrom(Integration integration, double earlierMm);
-
-  private:
-    const std::vector<float>& DrawOnce(bool isLit, Integration integration, double distanceMm);
   };
 
   /// Finds out what has changed since the last image.

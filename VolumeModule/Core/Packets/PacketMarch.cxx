@@ -1,8 +1,13 @@
 #include "Core/Packets/PacketMarch.h"
 
+#include "Core/Packets/PacketImages.h"
 #include "Core/Packets/PacketTile.h"
 
+#include <glm/vec2.hpp>
 #include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <functional>
 
 namespace varimarch
 {
@@ -10,9 +15,11 @@ namespace varimarch
 namespace
 {
 
-// Pixels on a side of what one core marches at a time: few enough that all cores finish together,
-// and a multiple of a packet's.
-constexpr int TileSide = 16;
+// Pixels along each side of what one core marches at a time: few enough that all cores finish
+// together, and a multiple of a packet's.
+constexpr glm::ivec2 TileSize = glm::ivec2(16);
+// The same for several images of few rays, between which lie many voxels: one packet.
+constexpr glm::ivec2 SharedTileSize = glm::ivec2(4, 2);
 
 using TileMarch = void(
   const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
@@ -59,6 +66,32 @@ TileMarch* TileMarchOf(const PacketScene& scene, [[maybe_unused]] InstructionSet
   return TileMarchOf<InstructionSet::Baseline>(scene);
 }
 
+InstructionSet FastestSet()
+{
+  static const InstructionSet fastest = InstructionSetsOfProcessor().front();
+  return fastest;
+}
+
+// Tiles are counted from the image's first pixel: a pixel is then always in the same packet,
+// whatever part of the image is marched. Cores take them in turn, so that they read voxels that lie
+// together.
+void ForEachTile(const Viewport& pixels, const glm::ivec2& size,
+  const std::function<void(const Viewport& tile)>& march)
+{
+  const glm::ivec2 begin(pixels.left, pixels.bottom);
+  const glm::ivec2 first = begin / size;
+  const glm::ivec2 count =
+    (begin + glm::ivec2(pixels.width, pixels.height) + size - 1) / size - first;
+  std::atomic<int> next = 0;
+  tbb::parallel_for(0, count.x * count.y,
+    [&](int)
+    {
+      const int tile = next++;
+      const glm::ivec2 at = (first + glm::ivec2(tile % count.x, tile / count.x)) * size;
+      march({ at.x, at.y, size.x, size.y });
+    });
+}
+
 }
 
 std::vector<InstructionSet> InstructionSetsOfProcessor()
@@ -74,26 +107,25 @@ std::vector<InstructionSet> InstructionSetsOfProcessor()
 
 void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba, InstructionSet set)
 {
-  // Tiles are counted from the image's first pixel: a pixel is then always in the same packet,
-  // whatever part of the image is marched.
-  const int firstColumn = pixels.left / TileSide;
-  const int firstRow = pixels.bottom / TileSide;
-  const int columns = (pixels.left + pixels.width + TileSide - 1) / TileSide - firstColumn;
-  const int rows = (pixels.bottom + pixels.height + TileSide - 1) / TileSide - firstRow;
   TileMarch* const march = TileMarchOf(scene, set);
-  tbb::parallel_for(0, columns * rows,
-    [&](int tile)
-    {
-      const int left = (firstColumn + tile % columns) * TileSide;
-      const int bottom = (firstRow + tile / columns) * TileSide;
-      march(scene, pixels, { left, bottom, TileSide, TileSide }, rgba);
-    });
+  ForEachTile(pixels, TileSize, [&](const Viewport& tile) { march(scene, pixels, tile, rgba); });
 }
 
 void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba)
 {
-  static const InstructionSet fastest = InstructionSetsOfProcessor().front();
-  MarchPackets(scene, pixels, rgba, fastest);
+  MarchPackets(scene, pixels, rgba, FastestSet());
+}
+
+void MarchPacketsTogether(const std::vector<PacketImage>& images, const Viewport& pixels)
+{
+  ForEachTile(pixels, SharedTileSize,
+    [&](const Viewport& tile)
+    {
+      for (const PacketImage& image : images)
+      {
+        TileMarchOf(*image.scene, FastestSet())(*image.scene, pixels, tile, image.rgba);
+      }
+    });
 }
 
 }

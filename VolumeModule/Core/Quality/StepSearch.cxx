@@ -113,9 +113,13 @@ private:
   {
     for (int trials = 1; !this->IsAtEnd() && trials < MostTrials; ++trials)
     {
-      if (!this->IsNear())
+      if (this->range.isOfHalfOctaves ? !this->AreNeighbours() : !this->IsNear())
       {
         this->Keep(this->Try(this->NextDistance()));
+      }
+      else if (this->range.isOfHalfOctaves)
+      {
+        return this->Found(*this->keeps);
       }
       else if (const std::optional<Trial> found = this->TryDistanceOfLimit())
       {
@@ -150,12 +154,18 @@ private:
       (!this->keeps && this->fails->distance <= this->range.finest);
   }
 
-  bool IsNear() const
+  // True if the limit lies between two distances half an octave apart.
+  bool AreNeighbours() const
   {
     constexpr double Neighbours = 1.5;
+    return this->keeps && this->fails &&
+      this->fails->distance <= Neighbours * this->keeps->distance;
+  }
+
+  bool IsNear() const
+  {
     return (this->keeps && this->keeps->ofLimit >= LeastNear) ||
-      (this->fails && this->fails->ofLimit <= MostNear) ||
-      (this->keeps && this->fails && this->fails->distance <= Neighbours * this->keeps->distance);
+      (this->fails && this->fails->ofLimit <= MostNear) || this->AreNeighbours();
   }
 
   Trial Try(double distance)

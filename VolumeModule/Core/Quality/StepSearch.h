@@ -42,6 +42,9 @@ struct StepRange
 {
   double coarsest;
   double finest; ///< at most the coarsest
+  /// True if only halves of octaves from the first distance are drawn, of which the longest that
+  /// keeps the limit is taken.
+  bool isOfHalfOctaves = false;
 };
 
 /// Draws some pixels of an image, always the same ones, at a sample distance; returns premultiplied

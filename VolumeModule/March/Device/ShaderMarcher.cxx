@@ -23,10 +23,16 @@ void ShaderMarcher::Draw(const Frame& frame, const MarchPlan& plan)
   this->boxes.Draw(frame, plan, drawn);
 }
 
-std::vector<float> ShaderMarcher::DrawTrial(const Frame& frame, const MarchPlan& plan)
+std::vector<std::vector<float>> ShaderMarcher::DrawTrials(
+  const Frame& frame, const std::vector<MarchPlan>& plans)
 {
-  this->trial.Draw(frame.view.window, plan.viewport, [&] { this->Draw(frame, plan); });
-  return this->trial.Read(frame.view.window, plan.viewport);
+  std::vector<std::vector<float>> drawn;
+  for (const MarchPlan& plan : plans)
+  {
+    this->trial.Draw(frame.view.window, plan.viewport, [&] { this->Draw(frame, plan); });
+    drawn.push_back(this->trial.Read(frame.view.window, plan.viewport));
+  }
+  return drawn;
 }
 
 void ShaderMarcher::Release(vtkWindow* window)

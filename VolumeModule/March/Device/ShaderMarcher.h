@@ -28,7 +28,8 @@ public:
   }
 
   void Draw(const Frame& frame, const MarchPlan& plan) override;
-  std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan) override;
+  std::vector<std::vector<float>> DrawTrials(
+    const Frame& frame, const std::vector<MarchPlan>& plans) override;
 
   std::size_t BytesOfBlocks() const { return this->blocks.Bytes(); }
   void ReleaseBlocks(vtkWindow* window) { this->blocks.Release(window); }

@@ -1,6 +1,7 @@
 #include "March/Processor/PacketMarcher.h"
 
 #include "Core/Geometry/ProjectedBox.h"
+#include "Core/Packets/PacketImages.h"
 #include "Core/Packets/PacketMarch.h"
 #include "March/Processor/PacketScenes.h"
 #include "VtkVersions.h"
@@ -13,6 +14,7 @@
 #include <glm/vec4.hpp>
 
 #include <algorithm>
+#include <deque>
 
 namespace varimarch
 {
@@ -120,22 +122,34 @@ void PacketMarcher::Draw(const Frame& frame, const MarchPlan& plan)
   this->boxes.Draw(frame, plan.WithRole(ShaderRole::ShowMarchedImage), drawn, earlier);
 }
 
-std::vector<float> PacketMarcher::DrawTrial(const Frame& frame, const MarchPlan& plan)
+std::vector<std::vector<float>> PacketMarcher::DrawTrials(
+  const Frame& frame, const std::vector<MarchPlan>& plans)
 {
-  const Viewport& pixels = plan.viewport;
-  std::vector<float> rgba(4 * std::size_t(pixels.width) * pixels.height);
+  const Viewport& pixels = plans.front().viewport;
+  std::vector<std::vector<float>> drawn(
+    plans.size(), std::vector<float>(4 * std::size_t(pixels.width) * pixels.height));
   if (this->resources.IsNothingDrawn())
   {
-    return rgba;
+    return drawn;
   }
-  const PacketScenes scenes(
-    MarchOf(frame, plan), this->resources, this->SurroundingsOf(frame, plan), pixels);
-  MarchPackets(scenes.Scene(), pixels, rgba.data());
-  if (frame.settings.windowLevel)
+  std::deque<PacketScenes> scenes;
+  std::vector<PacketImage> images;
+  for (std::size_t i = 0; i < plans.size(); ++i)
   {
-    Window(rgba, frame.image.windowScaleBias);
+    scenes.emplace_back(
+      MarchOf(frame, plans[i]), this->resources, this->SurroundingsOf(frame, plans[i]), pixels);
+    images.push_back({ &scenes.back().Scene(), drawn[i].data() });
   }
-  return rgba;
+  images.size() == 1 ? MarchPackets(*images.front().scene, pixels, images.front().rgba)
+                     : MarchPacketsTogether(images, pixels);
+  for (std::vector<float>& rgba : drawn)
+  {
+    if (frame.settings.windowLevel)
+    {
+      Window(rgba, frame.image.windowScaleBias);
+    }
+  }
+  return drawn;
 }
 
 PacketSurroundings PacketMarcher::SurroundingsOf(const Frame& frame, const MarchPlan& plan)

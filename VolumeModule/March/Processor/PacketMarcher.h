@@ -26,7 +26,8 @@ public:
   }
 
   void Draw(const Frame& frame, const MarchPlan& plan) override;
-  std::vector<float> DrawTrial(const Frame& frame, const MarchPlan& plan) override;
+  std::vector<std::vector<float>> DrawTrials(
+    const Frame& frame, const std::vector<MarchPlan>& plans) override;
 
   void ReleaseLayerDepths(vtkWindow* window) { this->layerDepths.Release(window); }
   std::size_t Bytes() const override { return this->image.Bytes() + this->layerDepths.Bytes(); }
