@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <random>
+#include <set>
 #include <vector>
 
 using namespace varimarch;
@@ -105,6 +107,53 @@ TEST(VoxelUnits, HaveTheRowsThatTheirPagesReachInto)
         ASSERT_GE(end, std::min(pages.end, any.Bytes())) << seed;
       }
     }
+  }
+}
+
+/// Some blocks of a volume, most of them coarse.
+BlockLevels SomeBlocks(const BrickSource::Level& level, std::mt19937& random)
+{
+  const int side = std::uniform_int_distribution<int>(1, 20)(random);
+  BlockLevels blocks;
+  blocks.side = side;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    blocks.count[axis] = std::max(1, (int(level.dimensions[std::size_t(axis)]) - 2) / side + 1);
+  }
+  const auto all = std::size_t(blocks.count.x) * blocks.count.y * blocks.count.z;
+  std::generate_n(std::back_inserter(blocks.ofBlocks), all,
+    [&] { return random() % 8 == 0 ? BlockLevel::Voxels : BlockLevel::Coarse; });
+  return blocks;
+}
+
+TEST(VoxelUnits, AreCountedWhereTheyHaveVoxelsOfBlocks)
+{
+  for (unsigned seed = 0; seed < 500; ++seed)
+  {
+    const AnyUnits any(seed);
+    const VoxelUnits units = any.Units();
+    std::mt19937 random(seed);
+    const BlockLevels blocks = SomeBlocks(any.level, random);
+    std::set<std::size_t> read;
+    for (std::size_t unit = 0; unit < units.Count(); ++unit)
+    {
+      const BrickSource::Box box = units.BoxOf(unit);
+      const auto areBeside = [&](std::int64_t block, std::size_t axis)
+      {
+        const std::int64_t first = block * blocks.side; // its last voxels are the first of the next
+        return first < box.upper[axis] && first + blocks.side >= box.lower[axis];
+      };
+      for (std::size_t i = 0; i < blocks.ofBlocks.size(); ++i)
+      {
+        const auto row = std::int64_t(i) / blocks.count.x;
+        if (blocks.ofBlocks[i] == BlockLevel::Voxels && areBeside(row % blocks.count.y, 1) &&
+          areBeside(row / blocks.count.y, 2))
+        {
+          read.insert(unit);
+        }
+      }
+    }
+    ASSERT_EQ(units.MostBytesFor(blocks), units.MostBytes() * read.size()) << seed;
   }
 }
 

@@ -171,6 +171,12 @@ double MemoryOf(const Frame& frame)
   return voxels ? 0.5 * double(MostBytesOf(*voxels)) : std::numeric_limits<double>::infinity();
 }
 
+std::optional<VoxelUnits> UnitsOf(const Frame& frame)
+{
+  const auto voxels = PagedVoxelsOf(frame.voxels.scalars);
+  return voxels && voxels->Units() ? std::optional<VoxelUnits>(*voxels->Units()) : std::nullopt;
+}
+
 double LargestOf(const std::vector<double>& bounds)
 {
   return bounds.empty() ? 0.0 : *std::max_element(bounds.begin(), bounds.end());
@@ -217,7 +223,7 @@ std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSumma
     ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),
     frame.geometry.boxGrid, brightest, DimmedLightsOf(frame, brightest.value_or(1.0)),
-    HasSoftLamps(frame), MemoryOf(frame) };
+    HasSoftLamps(frame), MemoryOf(frame), UnitsOf(frame) };
 }
 
 double BoundOfLevelAlone(const LevelInputs& inputs)
@@ -245,7 +251,8 @@ double LevelRefinement::BlockBytes() const
 
 double LevelRefinement::HeldBytes() const
 {
-  return this->refined > 0 ? double(this->refined) * this->BlockBytes() : 0.0;
+  return this->inputs.units ? double(this->inputs.units->MostBytesFor(*this->levels))
+                            : double(this->refined) * this->BlockBytes();
 }
 
 // An image takes at most 128 MB of voxels more than the one before, which are read from chunks in a
@@ -283,6 +290,7 @@ void LevelRefinement::Refine(double tolerance)
   this->bound = LargestOf(this->bounds);
   this->levels = next;
   this->refined = CountOf(*next, BlockLevel::Voxels);
+  this->heldBytes = this->HeldBytes();
 }
 
 void LevelRefinement::Begin()

@@ -1,6 +1,7 @@
 #ifndef Varimarch_March_LevelRefinement_h
 #define Varimarch_March_LevelRefinement_h
 
+#include "Core/Blocks/VoxelUnits.h"
 #include "Core/Fields/VolumeSummary.h"
 #include "Core/Quality/BlockLooks.h"
 #include "Core/Quality/LevelBound.h"
@@ -32,6 +33,7 @@ struct LevelInputs
   std::vector<LevelLight> lights;  ///< Everything that matter may keep from a place.
   bool hasSoftLamps;               ///< True if soft lamps near the volume cast shadows.
   double memoryBytes;              ///< The memory that voxels may take [bytes].
+  std::optional<VoxelUnits> units; ///< The units in which voxels are read; none if by pages.
 
   BlockLooks Looks() const;
   bool HasLooksOf(const LevelInputs& other) const
@@ -92,12 +94,13 @@ public:
   /// The number of visible blocks that are drawn by voxels.
   std::size_t RefinedBlocks() const { return this->refined; }
   /// False if the voxels of a next round may not fit in memory, so that it is the last.
-  bool NextFits() const { return 2.0 * this->HeldBytes() <= this->inputs.memoryBytes; }
+  bool NextFits() const { return 2.0 * this->heldBytes <= this->inputs.memoryBytes; }
 
 private:
   /// Finds the bounds of an image that has voxels only where they are invisible.
   void Begin();
-  /// The voxels of a block, and of all blocks that are drawn by voxels [bytes].
+  /// The voxels of a block, and those that are read for all blocks that are drawn by voxels
+  /// [bytes].
   double BlockBytes() const;
   double HeldBytes() const;
   /// The aim of the next round.
@@ -112,6 +115,7 @@ private:
   int rounds = 0;
   std::size_t visible = 0;
   std::size_t refined = 0;
+  double heldBytes = 0.0;
 };
 
 }

@@ -39,6 +39,7 @@ public:
   ~ChunkedVoxels() override;
 
   std::string Problem() const override;
+  const VoxelUnits* Units() const override { return &this->units; }
   bool AreInForkedProcesses() const override { return false; }
   std::vector<Part> DroppableParts(const PageMap& map, std::uint64_t now) override;
   std::size_t Drop(std::size_t index, const PageMap& map) override;

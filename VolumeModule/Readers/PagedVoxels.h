@@ -18,6 +18,7 @@ namespace varimarch
 
 class PageMap;
 struct VolumeSummary;
+class VoxelUnits;
 
 /// A coarser level of paged voxels: voxel (i, j, k) is at first + scale * (i, j, k) among them.
 struct PagedLevel
@@ -50,6 +51,9 @@ public:
   /// The sentence that says why the voxels are not those that they were; empty if they are. The
   /// full stop is missing.
   virtual std::string Problem() const = 0;
+
+  /// The units that come into memory as a whole; null if each page comes alone.
+  virtual const VoxelUnits* Units() const { return nullptr; }
 
   /// True if a process that is forked has the voxels too.
   virtual bool AreInForkedProcesses() const = 0;

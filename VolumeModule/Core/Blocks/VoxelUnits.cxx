@@ -1,6 +1,7 @@
 #include "Core/Blocks/VoxelUnits.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace varimarch
 {
@@ -90,6 +91,35 @@ VoxelUnits::Run VoxelUnits::RunOf(std::size_t unit, std::int64_t slice) const
   { return (byte + this->pageBytes - 1) / this->pageBytes * this->pageBytes; };
   return { upwards(this->ByteOfRow(this->FirstRow(unit), slice)),
     upwards(this->ByteOfRow(this->RowBehind(unit), slice)) };
+}
+
+std::uint64_t VoxelUnits::MostBytesFor(const BlockLevels& levels) const
+{
+  std::vector<bool> areRead(this->Count());
+  const auto read = [&](std::int64_t y, std::int64_t z)
+  {
+    const std::int64_t side = levels.side;
+    const std::int64_t lastY = std::min((y + 1) * side / this->rows, this->alongY - 1);
+    const std::int64_t lastZ = std::min((z + 1) * side / this->slices, this->alongZ - 1);
+    for (std::int64_t unitZ = z * side / this->slices; unitZ <= lastZ; ++unitZ)
+    {
+      for (std::int64_t unitY = std::min(y * side / this->rows, lastY); unitY <= lastY; ++unitY)
+      {
+        areRead[std::size_t(unitZ * this->alongY + unitY)] = true;
+      }
+    }
+  };
+  for (std::size_t row = 0; row < levels.ofBlocks.size(); row += std::size_t(levels.count.x))
+  {
+    const auto first = levels.ofBlocks.begin() + std::ptrdiff_t(row);
+    const auto end = first + levels.count.x;
+    if (std::find(first, end, BlockLevel::Voxels) != end)
+    {
+      const auto number = std::int64_t(row) / levels.count.x;
+      read(number % levels.count.y, number / levels.count.y);
+    }
+  }
+  return this->MostBytes() * std::uint64_t(std::count(areRead.begin(), areRead.end(), true));
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Core_Blocks_VoxelUnits_h
 #define Varimarch_Core_Blocks_VoxelUnits_h
 
+#include "Core/Blocks/BlockLevels.h"
 #include "Core/Blocks/BrickSource.h"
 
 #include <cstddef>
@@ -59,6 +60,9 @@ public:
   {
     return this->rowBytes * std::uint64_t((this->rows + 2 * this->rowsBehind) * this->slices);
   }
+
+  /// A bound of the bytes of the units that blocks of voxels lie in.
+  std::uint64_t MostBytesFor(const BlockLevels& levels) const;
 
 private:
   std::int64_t FirstRow(std::size_t unit) const
