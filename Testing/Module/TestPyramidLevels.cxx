@@ -4,6 +4,7 @@
 #include "Module/MapperScene.h"
 #include "Module/PyramidInChunks.h"
 #include "Module/RefinedLevels.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <cmath>
 #include <string>
@@ -134,6 +135,21 @@ TEST_F(PyramidInChunks, LeavesOutLevelsWithValuesThatTheVoxelsDoNotHave)
   this->DamageLevel(1);
   Refined(disk); // reports no error
   EXPECT_LE(disk.mapper->GetLevelErrorBound(), 1.0 / 64.0);
+}
+
+TEST_F(PyramidInChunks, ReportsDamagedChunksOfACoarserLevelOnce)
+{
+  MapperScene disk(this->Read(this->WritePyramid(SlowWaves), MemoryForBricksOf8));
+  ASSERT_TRUE(this->reader->HasVoxelsOnDisk());
+  UseThinFog(disk);
+  this->DamageLevel(1);
+  const ExpectedVtkErrors errors;
+  Refined(disk);
+  EXPECT_GE(errors.Messages().size(), 1u);
+  EXPECT_NE(errors.Text().find("/1/"), std::string::npos) << errors.Text();
+  EXPECT_NE(errors.Text().find("count as 0"), std::string::npos) << errors.Text();
+  disk.Draw();
+  EXPECT_EQ(errors.Messages().size(), 1u) << errors.Text();
 }
 
 TEST_F(PyramidInChunks, IsReadAtItsFinestLevelInBricksThatFit)

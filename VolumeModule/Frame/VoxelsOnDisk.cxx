@@ -30,14 +30,18 @@ VoxelsOnDisk::VoxelsOnDisk(const Frame& frame, vtkIdType mostBytes)
 {
   const auto take = [&](const Frame& ofVolume)
   {
-    auto voxels = PagedVoxelsOf(ofVolume.voxels.scalars);
+    const auto voxels = PagedVoxelsOf(ofVolume.voxels.scalars);
     if (voxels && mostBytes > 0)
     {
       SetMostBytes(*voxels, std::uint64_t(mostBytes));
     }
     if (voxels)
     {
-      this->all.push_back(std::move(voxels));
+      this->all.push_back(voxels);
+      for (const PagedLevel& level : voxels->Coarser())
+      {
+        this->all.push_back(PagedVoxelsOf(level.scalars));
+      }
     }
   };
   take(frame);

@@ -26,7 +26,7 @@ struct ValueCounts
 };
 VARIMARCHVOLUME_EXPORT ValueCounts CountsOnDisk(vtkDataArray* scalars);
 
-/// The voxels of a frame that stayed on disk; none if all are in memory.
+/// The voxels of a frame that stayed on disk, with their coarser levels; none if all are in memory.
 class VoxelsOnDisk
 {
 public:
