@@ -69,10 +69,13 @@ void vtkVariationFieldVolumeMapper::Internals::DrawInTime(
   marcher.Draw(frame, quality);
   frame.view.window->WaitForCompletion();
   timer->StopTimer();
-  if (marcher.ResourceBuilds() == builds)
+  const bool hasBuilt = marcher.ResourceBuilds() != builds;
+  // Resources that every image builds, as while times are played, are a part of its time.
+  if (!hasBuilt || this->LastHasBuilt)
   {
     this->Quality.Took(castSeconds + timer->GetElapsedTime());
   }
+  this->LastHasBuilt = hasBuilt;
 }
 
 vtkStandardNewMacro(vtkVariationFieldVolumeMapper);

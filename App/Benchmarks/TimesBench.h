@@ -20,6 +20,8 @@ struct TimesCost
   double residentMegabytesAtFirst =
     0.0; ///< memory of the process when each time, or frame, was drawn once
   double residentMegabytesAtEnd = 0.0;
+  double movingMs = 0.0;        ///< median time of a frame while somebody plays, as in the viewer
+  double movingRaysApart = 1.0; ///< median distance between the rays of these frames [pixels]
 };
 
 /// Renders a volume at several times, each of which differs from the last by the values of a few

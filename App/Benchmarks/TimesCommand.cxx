@@ -31,7 +31,9 @@ std::string MarkdownOf(const TimesCost& cost, const TimesArguments& arguments)
        << " |\n| median time of such a frame [ms] | " << Fixed(cost.againMs, 1)
        << " |\n| of it for the field [ms] | " << Fixed(cost.fieldMs, 1)
        << " |\n| median time of a frame of the same voxels [ms] | " << Fixed(cost.stillMs, 1)
-       << " |\n| memory when each time was drawn once [MB] | "
+       << " |\n| median time of a frame while somebody plays, 15 a second wanted [ms] | "
+       << Fixed(cost.movingMs, 1) << " |\n| median distance between its rays [pixels] | "
+       << Fixed(cost.movingRaysApart, 2) << " |\n| memory when each time was drawn once [MB] | "
        << Fixed(cost.residentMegabytesAtFirst, 0) << " |\n| memory at the end [MB] | "
        << Fixed(cost.residentMegabytesAtEnd, 0) << " |\n";
   return text.str();
@@ -42,6 +44,7 @@ nlohmann::ordered_json ToJson(const TimesCost& cost, const TimesArguments& argum
   return { { "command", arguments.report.commandText }, { "machine", ToJson(ThisMachine()) },
     { "times", arguments.times }, { "frames", cost.frames }, { "newMs", cost.newMs },
     { "againMs", cost.againMs }, { "fieldMs", cost.fieldMs }, { "stillMs", cost.stillMs },
+    { "movingMs", cost.movingMs }, { "movingRaysApart", cost.movingRaysApart },
     { "residentMegabytesAtFirst", cost.residentMegabytesAtFirst },
     { "residentMegabytesAtEnd", cost.residentMegabytesAtEnd } };
 }

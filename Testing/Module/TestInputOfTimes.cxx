@@ -153,3 +153,19 @@ TEST(InputOfTimes, HasStepsOfOneViewForAllTimesNearIt)
   }
   EXPECT_EQ(scene.mapper->GetToleranceSearches(), timeCount);
 }
+
+// Each image builds the field of its time.
+TEST(InputOfTimes, AreDrawnInTheTimeThatIsAllowedWhileSomebodyPlaysThem)
+{
+  const auto times = Times();
+  MapperScene scene(times.front(), 32);
+  constexpr double MoreThanAnyMachine = 1e6;
+  scene.window->SetDesiredUpdateRate(MoreThanAnyMachine);
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    scene.mapper->SetInputData(times[std::size_t(frame)]);
+    scene.window->Render();
+  }
+  EXPECT_EQ(scene.mapper->GetVolumeTextureBuilds(), 6);
+  EXPECT_GT(scene.mapper->GetUsedImageSampleDistance(), 1.0);
+}

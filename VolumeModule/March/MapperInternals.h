@@ -65,6 +65,7 @@ struct vtkVariationFieldVolumeMapper::Internals
   std::string ReportedError; ///< the last error that was reported, so that it is not repeated
   std::string ReportedWarning;
   varimarch::InteractiveQuality Quality;
+  bool LastHasBuilt = false; ///< True if the last image while a user interacts built resources.
 
   // The quality of the next image; none for a still one.
   std::optional<varimarch::PictureQuality> QualityOf(

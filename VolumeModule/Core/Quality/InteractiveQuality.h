@@ -25,8 +25,8 @@ public:
   /// The quality that Next would return if it had not to change it.
   PictureQuality Now(double pixels) const;
 
-  /// Records the time of a frame drawn with the quality from Next. Must not be called for frames
-  /// that had to build resources.
+  /// Records the time of a frame drawn with the quality from Next. Must not be called for single
+  /// frames that had to build resources, whose time says nothing about the next.
   void Took(double seconds);
 
   /// Index of the current level; 0 is the finest.
