@@ -1,5 +1,6 @@
-// Looks for ParaView's pass that composites pictures of processes below passes that process the
-// image, as tone mapping and blur do. Prints what it does not find; the exit code is then 1.
+// Looks for ParaView's pass that composites pictures of processes, and for the camera's pass of one
+// process, below passes that process the image, as tone mapping and blur do. Prints what it does
+// not find; the exit code is then 1.
 
 #include "OrderOfProcesses.h"
 
@@ -7,6 +8,7 @@
 #include <vtkGaussianBlurPass.h>
 #include <vtkIceTCompositePass.h>
 #include <vtkNew.h>
+#include <vtkPVDefaultPass.h>
 #include <vtkRenderer.h>
 #include <vtkSequencePass.h>
 #include <vtkToneMappingPass.h>
@@ -29,6 +31,17 @@ void Expect(vtkIceTCompositePass* expected, vtkRenderPass* pass, const char* pas
   }
 }
 
+void ExpectCamera(vtkCameraPass* expected, vtkRenderPass* pass, const char* passes)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetPass(pass);
+  if (varimarch::UsualCameraPassOf(renderer) != expected)
+  {
+    ++failures;
+    std::cout << "Not found: the camera's pass of a view with " << passes << "\n";
+  }
+}
+
 }
 
 int main()
@@ -44,9 +57,16 @@ int main()
   Expect(composite, camera, "a camera");
   Expect(composite, tones, "tone mapping");
   Expect(composite, blur, "tone mapping behind a blur");
+  ExpectCamera(nullptr, blur, "compositing");
+  vtkNew<vtkPVDefaultPass> usual;
+  camera->SetDelegatePass(usual);
+  ExpectCamera(camera, camera, "a camera");
+  ExpectCamera(camera, blur, "tone mapping behind a blur");
+  ExpectCamera(nullptr, usual, "no camera");
   vtkNew<vtkSequencePass> drawing;
   camera->SetDelegatePass(drawing);
   Expect(nullptr, blur, "no compositing");
   Expect(nullptr, nullptr, "no pass");
+  ExpectCamera(nullptr, blur, "drawing of another kind");
   return failures > 0 ? 1 : 0;
 }

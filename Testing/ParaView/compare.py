@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Compares pictures of ParaView.
 
-Usage: compare.py FIRST SECOND [LEAST]   the peak signal to noise ratio [dB] of two PNG files
+Usage: compare.py FIRST SECOND [LEAST]   the peak signal to noise ratio [dB] of two PNG files, or of two
+                                         files of floats
        compare.py --reference NAME FILE MOST
                                          the RMSE [1/255] of a file to NAME of Data/References
 
@@ -20,6 +21,10 @@ REFERENCES = pathlib.Path(__file__).resolve().parents[2] / "Data" / "References"
 
 
 def pixels(path):
+    """The colours of a file, 0 to 255; those of floats are limited to these, as those of a PNG are."""
+    if path.endswith(".floats"):
+        colors = numpy.fromfile(path, numpy.float32).reshape(-1, 4)[:, :3]
+        return 255.0 * numpy.clip(colors.astype(float), 0.0, 1.0)
     return numpy.asarray(Image.open(path).convert("RGB")).astype(float)
 
 

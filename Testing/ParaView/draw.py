@@ -3,11 +3,12 @@
 Usage: pvbatch draw.py PLUGIN REPRESENTATION FOLDER [SERVER] CASE...
 
 Each case is a function of this file, or the name of a scene in Data/References. Its picture is
-FOLDER/CASE.png. SERVER, such as localhost:11111, is the pvserver that draws. Without a case, the
-names of all cases are printed. With the environment variable VARIMARCH_FRAMES the camera of each case
-then turns for this number of frames, and the median time of one is printed [ms]. With VARIMARCH_BYTES
-our volumes of several processes are composited in 8 bits, as ParaView's are, and VARIMARCH_TOLERANCE
-is their error tolerance.
+FOLDER/CASE.png; of our volumes FOLDER/CASE.floats has it before it is rounded to 8 bits. SERVER, such
+as localhost:11111, is the pvserver that draws. Without a case, the names of all cases are printed. The
+least depth of each picture is printed. With the environment variable VARIMARCH_FRAMES the camera of each
+case then turns for this number of frames, and the median time of one is printed [ms]. With
+VARIMARCH_BYTES our volumes are drawn and composited in 8 bits, as ParaView's are, and
+VARIMARCH_TOLERANCE is their error tolerance.
 """
 
 import json
@@ -18,6 +19,7 @@ import sys
 import time
 
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkFloatArray
 
 REFERENCES = pathlib.Path(__file__).resolve().parents[2] / "Data" / "References"
 SIZE = 256
@@ -60,8 +62,9 @@ def case(function):
 class Stage:
     """A view of one kind of volumes."""
 
-    def __init__(self, representation):
+    def __init__(self, representation, floats):
         self.representation = representation
+        self.floats = floats  # the file of a picture in floats
         self.is_ours = representation != "Volume"
         self.view = simple.CreateView("RenderView")
         self.view.ViewSize = [SIZE, SIZE]
@@ -89,6 +92,7 @@ class Stage:
         display.ScalarOpacityFunction = opacity
         self.set(display, "ScalarOpacityUnitDistance", unit_distance)
         if self.is_ours:
+            display.FloatImageFile = self.floats
             display.FloatCompositing = int(not os.environ.get("VARIMARCH_BYTES"))
             display.ErrorTolerance = float(os.environ.get("VARIMARCH_TOLERANCE", 1 / 64))
         display.SetRepresentationType(self.representation)
@@ -169,6 +173,13 @@ def geometry(stage):
     sphere = simple.Sphere(Radius=22.0, Center=[6.0, -8.0, 4.0])
     sphere.ThetaResolution = sphere.PhiResolution = 64
     simple.Show(sphere, stage.view)
+
+
+@case
+def toned(stage):
+    """An image that a pass processes."""
+    geometry(stage)
+    stage.view.UseToneMapping = 1
 
 
 @case
@@ -302,6 +313,13 @@ def frame_seconds(view):
     return statistics.median(times)
 
 
+def least_depth(view):
+    depths = vtkFloatArray()
+    width, height = view.ViewSize
+    view.GetRenderWindow().GetZbufferData(0, 0, width - 1, height - 1, depths)
+    return depths.GetRange()[0]
+
+
 def main():
     plugin, representation, folder, *cases = sys.argv[1:]
     is_remote = bool(cases) and ":" in cases[0]
@@ -314,12 +332,14 @@ def main():
     if not cases:
         print(*CASES)
     for name in cases:
-        stage = Stage(representation)
+        stage = Stage(representation, f"{folder}/{name}.floats")
         if name in CASES:
             CASES[name](stage)
         else:
             reference(stage, name)
         simple.Render(stage.view)
+        if not is_remote:
+            print(name, "least depth", f"{least_depth(stage.view):.6f}", flush=True)
         if os.environ.get("VARIMARCH_FRAMES"):
             print(name, f"{1000 * frame_seconds(stage.view):.0f}", flush=True)
         simple.SaveScreenshot(f"{folder}/{name}.png", stage.view)

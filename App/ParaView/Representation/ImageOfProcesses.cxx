@@ -4,6 +4,7 @@
 #include "vtkVarimarchFloatPass.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCameraPass.h"
 #include "vtkIceTCompositePass.h"
 #include "vtkMultiProcessController.h"
 #include "vtkOrderedCompositingHelper.h"
@@ -30,12 +31,11 @@ bool IsStill(vtkRenderer* renderer)
 }
 
 // True if a pass composites the colours of one image, which is shown in one window.
-bool CompositesOneImage(vtkRenderer* renderer, vtkIceTCompositePass* pass)
+bool CompositesOneImage(vtkIceTCompositePass* pass)
 {
   const int* const tiles = pass->GetTileDimensions();
   return tiles[0] * tiles[1] == 1 && pass->GetUseOrderedCompositing() &&
-    !pass->GetDataReplicatedOnAllProcesses() && !renderer->GetSelector() &&
-    !vtkValuePass::SafeDownCast(pass->GetRenderPass());
+    !pass->GetDataReplicatedOnAllProcesses() && !vtkValuePass::SafeDownCast(pass->GetRenderPass());
 }
 
 std::string WarningOf(const std::pair<int, int>& conflict)
@@ -53,6 +53,17 @@ ImageOfProcesses::ImageOfProcesses() = default;
 
 ImageOfProcesses::~ImageOfProcesses() = default;
 
+bool ImageOfProcesses::MayBeInFloats(vtkRenderer* renderer)
+{
+  if (!IsStill(renderer) || renderer->GetSelector())
+  {
+    return false;
+  }
+  vtkIceTCompositePass* const pass = CompositePassOf(renderer);
+  return pass ? CompositesOneImage(pass)
+              : UsualCameraPassOf(renderer) && renderer->GetRenderWindow()->GetMultiSamples() < 2;
+}
+
 std::string ImageOfProcesses::Begin(vtkRenderer* renderer, vtkMultiProcessController* controller,
   const OwnerOrder& order, bool inFloats)
 {
@@ -64,7 +75,7 @@ std::string ImageOfProcesses::Begin(vtkRenderer* renderer, vtkMultiProcessContro
     return {};
   }
   std::vector<int> shown = order.owners;
-  if (inFloats && IsStill(renderer) && CompositesOneImage(renderer, pass))
+  if (inFloats)
   {
     this->floatPass->Begin(renderer, pass, controller, order.owners);
     // One process has the whole image, so that any order is right; ParaView finds this one fastest.
@@ -74,6 +85,17 @@ std::string ImageOfProcesses::Begin(vtkRenderer* renderer, vtkMultiProcessContro
   const bool warns = order.conflict && !this->hasWarned;
   this->hasWarned = this->hasWarned || warns;
   return warns ? WarningOf(*order.conflict) : std::string();
+}
+
+void ImageOfProcesses::BeginAlone(vtkRenderer* renderer)
+{
+  this->End();
+  this->floatPass->BeginAlone(UsualCameraPassOf(renderer));
+}
+
+void ImageOfProcesses::SetFile(const std::string& file)
+{
+  this->floatPass->SetImageFile(file);
 }
 
 void ImageOfProcesses::End()

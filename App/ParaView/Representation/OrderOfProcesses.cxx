@@ -14,6 +14,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPVDefaultPass.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -138,6 +139,18 @@ vtkIceTCompositePass* CompositePassOf(vtkRenderer* renderer)
     pass = delegate;
   }
   return vtkIceTCompositePass::SafeDownCast(pass);
+}
+
+vtkCameraPass* UsualCameraPassOf(vtkRenderer* renderer)
+{
+  vtkRenderPass* above = nullptr;
+  vtkRenderPass* pass = renderer->GetPass();
+  while (vtkRenderPass* const delegate = DelegateOf(pass))
+  {
+    above = pass;
+    pass = delegate;
+  }
+  return vtkPVDefaultPass::SafeDownCast(pass) ? vtkCameraPass::SafeDownCast(above) : nullptr;
 }
 
 // ParaView knows an order of boxes that touch or overlap, by their centres along the axis in which

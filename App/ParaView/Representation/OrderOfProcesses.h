@@ -7,6 +7,7 @@
 
 class vtkBoundingBox;
 class vtkCamera;
+class vtkCameraPass;
 class vtkIceTCompositePass;
 class vtkMatrix4x4;
 class vtkMultiProcessController;
@@ -36,6 +37,10 @@ OwnerOrder OrderOfProcesses(vtkRenderer* renderer, vtkMultiProcessController* co
 /// ParaView's pass that composites the pictures of processes, below any passes that process the
 /// image; null if there is none.
 vtkIceTCompositePass* CompositePassOf(vtkRenderer* renderer);
+
+/// The camera's pass by which one process draws in ParaView's usual way, below any passes that
+/// process the image; null if it draws in another way.
+vtkCameraPass* UsualCameraPassOf(vtkRenderer* renderer);
 
 /// Boxes in front of the eye, one for each process, which ParaView finds in this order.
 /// @param processes  all of them, front to back

@@ -3,7 +3,9 @@
 #include "VtkVersions.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCameraPass.h"
 #include "vtkCommunicator.h"
+#include "vtkFrameBufferObjectBase.h"
 #include "vtkIceTCompositePass.h"
 #include "vtkIceTContext.h"
 #include "vtkMultiProcessController.h"
@@ -15,11 +17,13 @@
 #include "vtkProp.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
+#include "vtkTextureObject.h"
 
 #include <IceT.h>
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <utility>
 
 namespace
@@ -58,6 +62,39 @@ std::array<double, 6> CommonBoundsOf(vtkRenderer* renderer, vtkMultiProcessContr
     common[2 * axis + 1] = -common[2 * axis + 1];
   }
   return common;
+}
+
+// The size of the framebuffer into which a pass is to draw: that of another pass, or the window's.
+std::array<int, 2> SizeOf(const vtkRenderState* state)
+{
+  std::array<int, 2> size;
+  if (vtkFrameBufferObjectBase* const framebuffer = state->GetFrameBuffer())
+  {
+    framebuffer->GetLastSize(size.data());
+    return size;
+  }
+  std::copy_n(state->GetRenderer()->GetRenderWindow()->GetActualSize(), 2, size.begin());
+  return size;
+}
+
+// The pixels of the framebuffer that is bound.
+std::vector<float> BoundPixels(vtkOpenGLState* state, const std::array<int, 2>& size)
+{
+  std::vector<float> pixels(4 * std::size_t(size[0]) * size[1]);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, pixels.data());
+  return pixels;
+}
+
+// Shows pixels in the framebuffer that is bound, and nothing of what it has.
+void Show(vtkOpenGLRenderWindow* window, std::vector<float>& pixels, const std::array<int, 2>& size)
+{
+  vtkOpenGLState* const state = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglViewport(0, 0, size[0], size[1]);
+  window->DrawPixels(size[0], size[1], 4, VTK_FLOAT, pixels.data());
 }
 
 // Makes a context of IceT the current one, and the previous one again in the end.
@@ -119,6 +156,13 @@ void vtkVarimarchFloatPass::Begin(vtkRenderer* renderer, vtkIceTCompositePass* c
   renderer->AddViewProp(common);
 }
 
+void vtkVarimarchFloatPass::BeginAlone(vtkCameraPass* cameraPass)
+{
+  this->CameraPass = cameraPass;
+  this->OwnPass = cameraPass->GetDelegatePass();
+  cameraPass->SetDelegatePass(this);
+}
+
 void vtkVarimarchFloatPass::End()
 {
   if (this->Renderer && this->CommonBounds)
@@ -129,6 +173,12 @@ void vtkVarimarchFloatPass::End()
   {
     this->CompositePass->SetRenderPass(this->OwnPass);
   }
+  if (this->CameraPass && this->OwnPass)
+  {
+    this->CameraPass->SetDelegatePass(this->OwnPass);
+  }
+  this->CompositePass = nullptr;
+  this->CameraPass = nullptr;
   this->CommonBounds = nullptr;
   this->OwnPass = nullptr;
 }
@@ -136,35 +186,38 @@ void vtkVarimarchFloatPass::End()
 void vtkVarimarchFloatPass::Render(const vtkRenderState* state)
 {
   auto* const window = vtkOpenGLRenderWindow::SafeDownCast(state->GetRenderer()->GetRenderWindow());
-  const int size[] = { window->GetActualSize()[0], window->GetActualSize()[1] };
-  std::vector<float> pixels(4 * std::size_t(size[0]) * size[1]);
-  vtkOpenGLState* const glState = window->GetState();
-  glState->PushFramebufferBindings();
-  this->Bind(window, size);
+  const std::array<int, 2> size = SizeOf(state);
+  std::vector<float> pixels;
+  window->GetState()->PushFramebufferBindings();
+  this->Bind(window, size.data());
   const double begin = icetWallTime();
   this->OwnPass->Render(state);
-  glState->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, pixels.data());
+  if (this->CompositePass || !this->ImageFile.empty())
+  {
+    pixels = BoundPixels(window->GetState(), size);
+  }
   const double renderSeconds = icetWallTime() - begin;
-  glState->PopFramebufferBindings();
+  window->GetState()->PopFramebufferBindings();
+  if (!this->CompositePass)
+  {
+    this->ShowOverBackground(window, size.data());
+  }
+  else
   {
     const CurrentContext current(this->Context);
-    pixels = this->Composite(pixels, size);
+    pixels = this->Composite(pixels, size.data());
     LogTimes(renderSeconds);
+    if (!pixels.empty())
+    {
+      Show(window, pixels, size);
+    }
   }
-  if (!pixels.empty())
-  {
-    const vtkOpenGLState::ScopedglEnableDisable blend(glState, GL_BLEND);
-    const vtkOpenGLState::ScopedglViewport viewport(glState);
-    glState->vtkglDisable(GL_BLEND);
-    glState->vtkglViewport(0, 0, size[0], size[1]);
-    window->DrawPixels(size[0], size[1], 4, VTK_FLOAT, pixels.data());
-  }
+  this->WriteImage(pixels);
 }
 
-// Binds and clears the framebuffer. Like the window's own, it limits colours to [0, 1] before they
-// are blended, which one of floats does not. Its depths have the format of those of VTK's
-// framebuffers, from which mappers copy them.
+// Binds and clears the framebuffer. It does not limit colours to 1: the light of a part may exceed
+// it, before another is laid over it. Its depths have the format of those of VTK's framebuffers,
+// from which mappers copy them.
 void vtkVarimarchFloatPass::Bind(vtkOpenGLRenderWindow* window, const int size[2])
 {
   constexpr int DepthBits = 32;
@@ -173,8 +226,8 @@ void vtkVarimarchFloatPass::Bind(vtkOpenGLRenderWindow* window, const int size[2
   if (this->Framebuffer->GetNumberOfColorAttachments() == 0 ||
     !std::equal(size, size + 2, this->FramebufferSize))
   {
-    this->Framebuffer->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_SHORT, true,
-      DepthBits, 0, window->GetStencilCapable() != 0);
+    this->Framebuffer->PopulateFramebuffer(
+      size[0], size[1], true, 1, VTK_FLOAT, true, DepthBits, 0, window->GetStencilCapable() != 0);
     std::copy_n(size, 2, this->FramebufferSize);
   }
   this->Framebuffer->ActivateDrawBuffer(0);
@@ -210,6 +263,43 @@ std::vector<float> vtkVarimarchFloatPass::Composite(
   }
   const IceTFloat* const colors = icetImageGetColorcf(image);
   return std::vector<float>(colors, colors + 4 * icetImageGetNumPixels(image));
+}
+
+// Lays the own framebuffer over the one that is bound, and gives that its depths.
+void vtkVarimarchFloatPass::ShowOverBackground(vtkOpenGLRenderWindow* window, const int size[2])
+{
+  vtkOpenGLState* const state = window->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
+  const vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate blendFunction(state);
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglViewport(0, 0, size[0], size[1]);
+  this->Framebuffer->GetColorAttachmentAsTextureObject(0)->CopyToFrameBuffer(nullptr, nullptr);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_ALWAYS);
+  state->vtkglDepthMask(GL_TRUE);
+  window->TextureDepthBlit(this->Framebuffer->GetDepthAttachmentAsTextureObject());
+}
+
+void vtkVarimarchFloatPass::WriteImage(const std::vector<float>& pixels)
+{
+  if (this->ImageFile.empty() || pixels.empty())
+  {
+    return;
+  }
+  std::ofstream file(this->ImageFile, std::ios::binary);
+  file.write(
+    reinterpret_cast<const char*>(pixels.data()), std::streamsize(pixels.size() * sizeof(float)));
+  if (!file.flush())
+  {
+    vtkErrorMacro(<< "Cannot write the image as floats: the file " << this->ImageFile
+                  << " cannot be written.");
+  }
 }
 
 void vtkVarimarchFloatPass::ReleaseGraphicsResources(vtkWindow* window)

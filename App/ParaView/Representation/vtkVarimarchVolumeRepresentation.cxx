@@ -32,6 +32,10 @@
 namespace
 {
 
+// A width of 1 but for rounding, which limits premultiplied colours to the opacity, as light may
+// exceed it: ParaView adds the parts of a picture in 8 bits, in which a sum above 255 begins at 0.
+constexpr float LimitingWindow = 1.0F + 1e-6F;
+
 bool HasSeveralProcesses()
 {
   vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
@@ -53,10 +57,6 @@ vtkVarimarchVolumeRepresentation::vtkVarimarchVolumeRepresentation()
   , Image(std::make_unique<varimarch::ImageOfProcesses>())
 {
   this->VolumeMapper.TakeReference(this->Mapper);
-  // This width is 1 but for rounding. It limits premultiplied colours to the opacity, as light may
-  // exceed it: ParaView adds the parts of a picture in 8 bits, in which a sum above 255 begins at
-  // 0.
-  this->Mapper->SetFinalColorWindow(1.0F + 1e-6F);
 }
 
 vtkVarimarchVolumeRepresentation::~vtkVarimarchVolumeRepresentation() = default;
@@ -89,6 +89,11 @@ void vtkVarimarchVolumeRepresentation::SetAmbientOcclusion(double strength)
 void vtkVarimarchVolumeRepresentation::SetFloatCompositing(bool floats)
 {
   this->FloatCompositing = floats;
+}
+
+void vtkVarimarchVolumeRepresentation::SetFloatImageFile(const char* file)
+{
+  this->Image->SetFile(file ? file : "");
 }
 
 void vtkVarimarchVolumeRepresentation::SetBlendMode(int blendMode)
@@ -253,6 +258,10 @@ void vtkVarimarchVolumeRepresentation::AgreeWithOthers(vtkObject* caller, unsign
     order = varimarch::OrderOfProcesses(renderer, controller);
     processes = varimarch::SearchOfProcesses(controller, order->owners);
   }
+  vtkVarimarchVolumeRepresentation* const first = FirstVisibleIn(view);
+  const bool inFloats =
+    first && first->FloatCompositing && varimarch::ImageOfProcesses::MayBeInFloats(renderer);
+  this->Mapper->SetFinalColorWindow(order && !inFloats ? LimitingWindow : 1.0F);
   this->Part->SetMapper(this->Mapper);
   this->Part->SetProperty(this->Property);
   this->Part->SetUserMatrix(this->Actor->GetMatrix());
@@ -260,33 +269,45 @@ void vtkVarimarchVolumeRepresentation::AgreeWithOthers(vtkObject* caller, unsign
   this->Part->SetAllocatedRenderTime(renderer->GetAllocatedRenderTime(), renderer);
   this->Part->SetVisibility(this->Actor->GetVisibility());
   const auto steps = this->Mapper->FindSteps(renderer, this->Part, processes);
-  if (order)
+  if (first == this)
   {
-    this->BeginImage(view, renderer, *order);
+    this->BeginImage(renderer, order, inFloats);
   }
   vtkVLogF(PARAVIEW_LOG_RENDERING_VERBOSITY(), "Varimarch: common steps %g%s",
     steps ? steps->step.sampleDistance : 0.0,
     steps && steps->isPreIntegrated ? ", pre-integrated" : "");
 }
 
-// Orders the pictures of processes, if this is the first visible volume of its kind in the view.
-// All processes take part.
-void vtkVarimarchVolumeRepresentation::BeginImage(
-  vtkPVRenderView* view, vtkRenderer* renderer, const varimarch::OwnerOrder& order)
+// The first visible volume of this kind in a view, null if there is none.
+vtkVarimarchVolumeRepresentation* vtkVarimarchVolumeRepresentation::FirstVisibleIn(
+  vtkPVRenderView* view)
 {
-  vtkVarimarchVolumeRepresentation* first = nullptr;
-  for (int i = 0; !first && i < view->GetNumberOfRepresentations(); ++i)
+  for (int i = 0; view && i < view->GetNumberOfRepresentations(); ++i)
   {
     auto* const volume = SafeDownCast(view->GetRepresentation(i));
-    first = volume && volume->GetVisibility() ? volume : nullptr;
+    if (volume && volume->GetVisibility())
+    {
+      return volume;
+    }
   }
-  if (first != this)
+  return nullptr;
+}
+
+// Begins the image of the view. All processes take part.
+// @param order  of the pictures of processes; none if this one draws without others
+void vtkVarimarchVolumeRepresentation::BeginImage(
+  vtkRenderer* renderer, const std::optional<varimarch::OwnerOrder>& order, bool inFloats)
+{
+  if (!order)
   {
+    if (inFloats)
+    {
+      this->Image->BeginAlone(renderer);
+    }
     return;
   }
   vtkMultiProcessController* const controller = vtkMultiProcessController::GetGlobalController();
-  const std::string warning =
-    this->Image->Begin(renderer, controller, order, this->FloatCompositing);
+  const std::string warning = this->Image->Begin(renderer, controller, *order, inFloats);
   if (!warning.empty() && IsFirstProcess())
   {
     vtkWarningMacro(<< warning);

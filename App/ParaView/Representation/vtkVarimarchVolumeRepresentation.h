@@ -24,8 +24,9 @@
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkNew.h" // For Part
 
-#include <memory> // For Image
-#include <string> // For ReportedProblem
+#include <memory>   // For Image
+#include <optional> // For BeginImage
+#include <string>   // For ReportedProblem
 
 class vtkPVRenderView;
 class vtkRenderer;
@@ -57,11 +58,15 @@ public:
   void SetAmbientOcclusion(double strength);
   ///@}
 
+  ///@{
   /**
-   * Composites still images of several processes in floats, instead of ParaView's 8 bits. Default
-   * true. The setting of the first visible volume of a view is that of the view.
+   * Draws still images, and composites those of several processes, in floats instead of ParaView's
+   * 8 bits. Default true. The file gets the pixels of each such image (vtkVarimarchFloatPass);
+   * default "", for none. The settings of the first visible volume of a view are those of the view.
    */
   void SetFloatCompositing(bool floats);
+  void SetFloatImageFile(const char* file);
+  ///@}
 
   ///@{
   /**
@@ -95,7 +100,9 @@ protected:
 
 private:
   void AgreeWithOthers(vtkObject* renderer, unsigned long event, void* data);
-  void BeginImage(vtkPVRenderView* view, vtkRenderer* renderer, const varimarch::OwnerOrder& order);
+  static vtkVarimarchVolumeRepresentation* FirstVisibleIn(vtkPVRenderView* view);
+  void BeginImage(
+    vtkRenderer* renderer, const std::optional<varimarch::OwnerOrder>& order, bool inFloats);
   void EndImage(vtkObject* renderer, unsigned long event, void* data);
   void CropToBox();
   bool DimsLight();
