@@ -183,6 +183,18 @@ def toned(stage):
 
 
 @case
+def closed(stage):
+    """The image of composite() after another view was closed, with which views share programs."""
+    composite(stage)
+    simple.Render(stage.view)
+    other = Stage(stage.representation, stage.floats)
+    composite(other)
+    simple.Render(other.view)
+    simple.Delete(other.view)
+    del other
+
+
+@case
 def inside(stage):
     wavelet(stage, opacity=0.05)
     stage.look([5.0, 3.0, 2.0], [40.0, 30.0, 5.0], angle=60.0)

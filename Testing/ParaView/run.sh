@@ -170,20 +170,22 @@ against()
   compare "$pictures/$1-1/$name.${4:-png}" "$pictures/$2/$name.${4:-png}" "$3"
 }
 
-# One process draws in floats what it may also draw in 8 bits, and gives the window its depths.
+# One process draws in floats what it may also draw in 8 bits, gives the window its depths, and goes on
+# when another view is closed.
 testOneInFloats()
 {
   step "One process, in floats and in 8 bits"
   local name
-  draw 1 "Volume (Varimarch)" floats-1 geometry toned
-  VARIMARCH_BYTES=1 draw 1 "Volume (Varimarch)" bytes-1 geometry toned
+  draw 1 "Volume (Varimarch)" floats-1 geometry toned composite closed
+  VARIMARCH_BYTES=1 draw 1 "Volume (Varimarch)" bytes-1 geometry toned composite closed
   row ""
-  for name in geometry toned
+  for name in geometry toned closed
   do
     row "$name of one process in floats, against 8 bits:" "$(against floats bytes-1 "$leastDecibelsOfBytes")"
   done
   diff <(grep "least depth" "$pictures/floats-1/log") <(grep "least depth" "$pictures/bytes-1/log") ||
     { failures=$((failures + 1)); echo "FAILED: expected the same depths"; }
+  ! grep "ERR|" "$pictures"/{floats,bytes}-1/log || failures=$((failures + 1))
 }
 
 testSeveralProcesses()

@@ -212,6 +212,8 @@ void vtkVarimarchFloatPass::Render(const vtkRenderState* state)
       Show(window, pixels, size);
     }
   }
+  // A texture keeps the program that shows it, which fails once ParaView has closed another view.
+  this->Framebuffer->ReleaseGraphicsResources(window);
   this->WriteImage(pixels);
 }
 
@@ -223,13 +225,8 @@ void vtkVarimarchFloatPass::Bind(vtkOpenGLRenderWindow* window, const int size[2
   constexpr int DepthBits = 32;
   this->Framebuffer->SetContext(window);
   this->Framebuffer->Bind();
-  if (this->Framebuffer->GetNumberOfColorAttachments() == 0 ||
-    !std::equal(size, size + 2, this->FramebufferSize))
-  {
-    this->Framebuffer->PopulateFramebuffer(
-      size[0], size[1], true, 1, VTK_FLOAT, true, DepthBits, 0, window->GetStencilCapable() != 0);
-    std::copy_n(size, 2, this->FramebufferSize);
-  }
+  this->Framebuffer->PopulateFramebuffer(
+    size[0], size[1], true, 1, VTK_FLOAT, true, DepthBits, 0, window->GetStencilCapable() != 0);
   this->Framebuffer->ActivateDrawBuffer(0);
   this->Framebuffer->ActivateReadBuffer(0);
   vtkOpenGLState* const state = window->GetState();

@@ -80,7 +80,6 @@ private:
 
   vtkNew<vtkIceTContext> Context;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  int FramebufferSize[2] = { 0, 0 };
   std::vector<int> Order; // all processes, front to back
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkWeakPointer<vtkIceTCompositePass> CompositePass;

@@ -41,10 +41,10 @@ void VolumeBoxGeometry::Draw(vtkShaderProgram* program, const Box& boxGrid)
     this->uploaded = boxGrid;
   }
 
-  if (this->attributesOf != program)
+  if (this->attributesOf != program->GetHandle())
   {
     this->attributes->ShaderProgramChanged();
-    this->attributesOf = program;
+    this->attributesOf = program->GetHandle();
   }
   this->attributes->Bind();
   this->vertices->Bind();
@@ -60,7 +60,7 @@ void VolumeBoxGeometry::Draw(vtkShaderProgram* program, const Box& boxGrid)
 void VolumeBoxGeometry::Release()
 {
   this->attributes->ReleaseGraphicsResources();
-  this->attributesOf = nullptr;
+  this->attributesOf = 0;
   this->vertices->ReleaseGraphicsResources();
   this->triangles->ReleaseGraphicsResources();
 }

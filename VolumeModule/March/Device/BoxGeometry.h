@@ -22,7 +22,9 @@ public:
   void Release();
 
 private:
-  const vtkShaderProgram* attributesOf = nullptr;
+  // The handle of the program that has the attributes. A program gets another one when a window
+  // that shares it is closed.
+  int attributesOf = 0;
   Box uploaded = { glm::dvec3(0.0), glm::dvec3(0.0) };
   vtkNew<vtkOpenGLBufferObject> vertices;
   vtkNew<vtkOpenGLBufferObject> triangles;
