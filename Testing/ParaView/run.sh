@@ -24,7 +24,7 @@ cases=(composite behind lit opaque turned oblique cropped geometry inside two ce
 references=(torso-soft torso-soft-lit torso-parallel shells-thin-peak)
 # Least ratios of the pictures of several processes to that of one [dB]: with the default tolerance,
 # within which their samples may differ, and with one so small that what is left is the compositing.
-leastDecibels=55
+leastDecibels=57
 smallTolerance=0.0001
 leastDecibelsOfFloats=90
 # The same of pictures in floats that are rounded to 8 bits in the end.
