@@ -31,9 +31,11 @@ struct MarchPlan
   bool triesPreIntegration = false; ///< True if memory suffices for a pre-integrated table.
   ErrorBudget budget;
   double sampleDistanceMm = 0.0;
-  double imageSampleDistance = 1.0;    ///< The distance between rays [pixels].
-  int mostAccumulated = 0;             ///< The number of images in the mean; 0: no accumulation.
-  bool isInteractive = false;          ///< True while a user interacts.
+  double imageSampleDistance = 1.0; ///< The distance between rays [pixels].
+  int mostAccumulated = 0;          ///< The number of images in the mean; 0: no accumulation.
+  bool isInteractive = false;       ///< True while a user interacts.
+  /// The box of the whole volume in the coordinates of the data, if a part of it takes its samples.
+  std::optional<Box> wholeData;
   std::vector<VolumeFindings> volumes; ///< One entry for the first volume and each of the others.
   std::vector<VolumeFindings> coarser; ///< One entry for each coarser level.
 

@@ -1,6 +1,7 @@
 #ifndef Varimarch_March_CommonSteps_h
 #define Varimarch_March_CommonSteps_h
 
+#include "Core/Geometry/Box.h"
 #include "Core/Quality/StepSearch.h"
 
 namespace varimarch
@@ -11,6 +12,7 @@ struct CommonSteps
 {
   StepChoice step;      ///< [mm]
   bool isPreIntegrated; ///< True for pre-integration, false for midpoints, if a trial may choose.
+  Box wholeData;        ///< The box around all parts, in the coordinates of the data.
 };
 
 }

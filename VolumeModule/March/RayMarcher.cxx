@@ -212,6 +212,7 @@ void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan)
   }
   plan.sampleDistanceMm =
     std::max(this->foundStep->sampleDistance, ShortestDistanceWithSkyMm(frame, plan.marcher));
+  plan.wholeData = this->commonSteps->wholeData;
 }
 
 // If there is a tolerance, the steps that keep it replace the requested ones.

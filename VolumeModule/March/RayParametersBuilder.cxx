@@ -1,6 +1,7 @@
 #include "March/RayParametersBuilder.h"
 
 #include "Core/Geometry/PixelRays.h"
+#include "Core/Geometry/ProjectedBox.h"
 #include "Frame/FrameMeasures.h"
 #include "Frame/Lights.h"
 #include "March/Processor/SoftwareRasterizer.h"
@@ -11,6 +12,7 @@
 #include "vtkRenderer.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -44,6 +46,30 @@ void SetRays(RayParameters& p, const VolumeMarch& march, const Box& boxGrid)
   p.clipWeightRow = glm::row(clipFromGrid, 3);
 }
 
+// The box of the volume of which the frame draws a part, or that of the frame.
+Box WholeBoxGrid(const VolumeMarch& march)
+{
+  const Frame& frame = march.frame;
+  return march.plan.wholeData
+    ? BoxAround(*march.plan.wholeData, glm::inverse(frame.geometry.dataFromGrid))
+    : frame.cuts.boxGrid;
+}
+
+// A ray of a part numbers its segments like one of the whole.
+int MostSegmentsOf(const VolumeMarch& march)
+{
+  const double step = march.plan.sampleDistanceMm;
+  const int most = MostSegments(march.frame, step);
+  if (!march.plan.wholeData)
+  {
+    return most;
+  }
+  const Box whole = WholeBoxGrid(march);
+  const double diagonalMm =
+    glm::length(march.frame.geometry.WorldFromGridDirection() * (whole.upper - whole.lower));
+  return most + int(std::ceil(diagonalMm / step));
+}
+
 // The whole box has no part that is taken away because it is invisible, so that steps count from
 // the same place for any transfer function.
 void SetSpan(RayParameters& p, const VolumeMarch& march)
@@ -56,8 +82,9 @@ void SetSpan(RayParameters& p, const VolumeMarch& march)
   p.spanMm =
     float(countsFromHit ? Unlimited : std::min(steps * frame.quality.sampleDistanceMm, Unlimited));
   p.samplesAfterHit = float(steps);
-  p.wholeLowerGrid = frame.cuts.boxGrid.lower;
-  p.wholeUpperGrid = frame.cuts.boxGrid.upper;
+  const Box wholeGrid = WholeBoxGrid(march);
+  p.wholeLowerGrid = wholeGrid.lower;
+  p.wholeUpperGrid = wholeGrid.upper;
   glm::dvec3 eyeWorld;
   frame.view.renderer->GetActiveCamera()->GetPosition(glm::value_ptr(eyeWorld));
   p.eyeGrid = glm::dvec3(glm::inverse(frame.geometry.worldFromGrid) * glm::dvec4(eyeWorld, 1.0));
@@ -157,7 +184,7 @@ RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)
   p.viewportPixelsInverse = 1.0 / glm::dvec2(viewport.width, viewport.height);
   p.stepMm = float(march.plan.sampleDistanceMm);
   p.shadowStepMm = float(std::max(WantedShadowStepMm(march), ShortestShadowStepMm(march)));
-  p.mostSegments = MostSegments(march.frame, march.plan.sampleDistanceMm);
+  p.mostSegments = MostSegmentsOf(march);
   p.earlyTerminationTransmittance = float(march.frame.quality.earlyTerminationTransmittance);
   p.noisePixelsMask = glm::ivec2(BlueNoiseTexture::Pixels - 1);
   p.windowScaleBias = march.frame.image.windowScaleBias;

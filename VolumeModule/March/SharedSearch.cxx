@@ -1,11 +1,14 @@
 #include "March/SharedSearch.h"
 
+#include "Core/Geometry/ProjectedBox.h"
 #include "Frame/FrameBuilder.h"
 #include "March/LevelOfDetail.h"
 #include "March/MapperInternals.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +42,7 @@ namespace
 // suffices for are -1 if they hold, those that all parts must meet are 1, and lengths of which the
 // longest counts are negative.
 constexpr double NumberOfNoPart = std::numeric_limits<double>::infinity();
+constexpr std::size_t NumbersPerBox = 6;
 
 double IfAny(bool holds)
 {
@@ -81,6 +85,23 @@ SearchFacts FactsOf(const std::vector<double>& numbers)
   return facts;
 }
 
+// The box that a part draws, in the coordinates of the data.
+std::vector<double> NumbersOfBox(const Frame& frame)
+{
+  const Box& own = frame.cuts.boxGrid;
+  if (glm::any(glm::greaterThanEqual(own.lower, own.upper)))
+  {
+    return std::vector<double>(NumbersPerBox, NumberOfNoPart);
+  }
+  const Box box = BoxAround(own, frame.geometry.dataFromGrid);
+  return { box.lower.x, box.lower.y, box.lower.z, -box.upper.x, -box.upper.y, -box.upper.z };
+}
+
+Box BoxOf(const double* numbers)
+{
+  return { { numbers[0], numbers[1], numbers[2] }, { -numbers[3], -numbers[4], -numbers[5] } };
+}
+
 void MergeNumbers(std::vector<double>& least, const std::vector<double>& numbers)
 {
   for (std::size_t i = 0; i < least.size(); ++i)
@@ -116,7 +137,7 @@ SearchMessage MessageOf(const std::optional<CommonSteps>& found)
 std::optional<CommonSteps> StepsOf(const SearchMessage& message)
 {
   return message[1] > 0.0
-    ? std::optional<CommonSteps>({ { message[1], message[2], message[3] }, message[4] != 0.0 })
+    ? std::optional<CommonSteps>({ { message[1], message[2], message[3] }, message[4] != 0.0, {} })
     : std::nullopt;
 }
 
@@ -155,7 +176,7 @@ std::optional<CommonSteps> LeadSearch(
   try
   {
     const ToleranceChoice choice = ToleranceSearch::ChooseAnew(facts, draw);
-    found = { choice.step, choice.integration == Integration::PreIntegrated };
+    found = { choice.step, choice.integration == Integration::PreIntegrated, {} };
     found->step.sampleDistance = RoundedDown(choice.step.sampleDistance, facts);
   }
   catch (const std::exception&)
@@ -282,11 +303,15 @@ std::optional<CommonSteps> SharedSearch::Search(
   std::vector<Part>& parts, bool isRefused, const SearchingProcesses& processes)
 {
   std::vector<ToleranceInputs> inputs;
-  std::vector<double> least(NumbersOf(SearchFacts()).size(), NumberOfNoPart);
+  const std::size_t factCount = NumbersOf(SearchFacts()).size();
+  std::vector<double> least(factCount + NumbersPerBox, NumberOfNoPart);
   for (const Part& part : parts)
   {
     inputs.push_back(part.trials.inputs);
-    MergeNumbers(least, NumbersOf(part.trials.facts));
+    std::vector<double> numbers = NumbersOf(part.trials.facts);
+    const std::vector<double> ofBox = NumbersOfBox(part.frame);
+    numbers.insert(numbers.end(), ofBox.begin(), ofBox.end());
+    MergeNumbers(least, numbers);
   }
   const bool isKnown = this->made && this->made->inputs == inputs;
   least.insert(least.end(), { IfAny(isRefused), IfAny(!isKnown) });
@@ -301,10 +326,19 @@ std::optional<CommonSteps> SharedSearch::Search(
   {
     return this->made->steps;
   }
+  const Box wholeData = BoxOf(&least[factCount]);
+  for (Part& part : parts)
+  {
+    part.trials.plan.wholeData = wholeData;
+  }
   const auto drawOwn = [&](const TrialImage& image) { return DrawParts(parts, image); };
-  const std::optional<CommonSteps> found = processes.isLeader
+  std::optional<CommonSteps> found = processes.isLeader
     ? LeadSearch(FactsOf(least), drawOwn, processes)
     : FollowSearch(drawOwn, processes);
+  if (found)
+  {
+    found->wholeData = wholeData;
+  }
   this->made = found ? std::make_unique<Made>(Made{ std::move(inputs), *found }) : nullptr;
   ++this->searches;
   return found;

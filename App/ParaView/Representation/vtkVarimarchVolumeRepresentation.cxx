@@ -167,8 +167,8 @@ int vtkVarimarchVolumeRepresentation::RequestUpdateExtent(
     }
     vtkInformationIntegerKey* const levels =
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
-    // Gradients at the faces of the part need the voxels behind them.
-    input->Set(levels, std::max(1, input->Has(levels) ? input->Get(levels) : 0));
+    // A step at a face of the part may end a voxel behind it, where gradients need another one.
+    input->Set(levels, std::max(2, input->Has(levels) ? input->Get(levels) : 0));
   }
   return result;
 }

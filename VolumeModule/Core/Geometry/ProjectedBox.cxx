@@ -21,6 +21,18 @@ CornersClip CornersOf(const Box& box, const glm::dmat4& clipFromGrid)
   return corners;
 }
 
+Box BoxAround(const Box& box, const glm::dmat4& otherFromBox)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  Box around{ glm::dvec3(Infinity), glm::dvec3(-Infinity) };
+  for (const glm::dvec4& corner : CornersOf(box, otherFromBox))
+  {
+    around.lower = glm::min(around.lower, glm::dvec3(corner));
+    around.upper = glm::max(around.upper, glm::dvec3(corner));
+  }
+  return around;
+}
+
 bool IsInView(const Box& box, const glm::dmat4& clipFromGrid)
 {
   const CornersClip corners = CornersOf(box, clipFromGrid);

@@ -17,6 +17,10 @@ using CornersClip = std::array<glm::dvec4, 8>;
 
 CornersClip CornersOf(const Box& box, const glm::dmat4& clipFromGrid);
 
+/// The smallest box of another space around a box.
+/// @param otherFromBox  affine
+Box BoxAround(const Box& box, const glm::dmat4& otherFromBox);
+
 /// False if all corners are beyond the same side of the view.
 bool IsInView(const Box& box, const glm::dmat4& clipFromGrid);
 

@@ -28,6 +28,14 @@ struct PacketRays
   IntLanes region;      ///< the label of the part that is marched, in a mask
   Lanes enter;          ///< [mm]; equal to the exit for a ray without a part inside
   Lanes exit;
+  Lanes wholeEnter; ///< [mm]; the part in the whole box, only if steps are shared
+  Lanes wholeExit;
+
+  /// The length of the part of the rays between two places [mm].
+  Lanes LengthBetween(Lanes from, Lanes to) const
+  {
+    return Max(Min(to, this->exit) - Max(from, this->enter), Lanes{});
+  }
 
   Lanes3 At(Lanes t) const { return this->originGrid + t * this->directionGrid; }
 };
@@ -210,6 +218,8 @@ inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
   rays.region = IntLanes{};
   rays.enter = All(-Never);
   rays.exit = All(Never);
+  rays.wholeEnter = rays.enter;
+  rays.wholeExit = rays.exit;
   return rays;
 }
 
@@ -228,12 +238,11 @@ inline PacketRays InsideBox(const PacketScene& scene, const PacketRays& lines,
   return rays;
 }
 
-/// @param x, y  the first pixel of the packet, in the image
-inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
+/// Cuts the part of lines that is inside a box by everything that is not of the volume.
+inline void CutInside(
+  PacketRays& rays, const PacketScene& scene, const PacketRays& lines, int x, int y)
 {
   const RayParameters& parameters = scene.rays;
-  const PacketRays lines = LinesOf(scene, x, y);
-  PacketRays rays = InsideBox(scene, lines, parameters.boxLowerGrid, parameters.boxUpperGrid);
   if (scene.cuts.limitsSpan)
   {
     CutToSpan(rays, scene,
@@ -247,13 +256,44 @@ inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
   {
     CutByLayers(rays, scene, x, y);
   }
+}
+
+/// The part of rays in the whole box, and of it that in the box of this part.
+inline PacketRays SharedRaysOf(const PacketScene& scene, const PacketRays& lines, int x, int y)
+{
+  const RayParameters& parameters = scene.rays;
+  PacketRays rays = InsideBox(scene, lines, parameters.wholeLowerGrid, parameters.wholeUpperGrid);
+  CutInside(rays, scene, lines, x, y);
+  rays.wholeEnter = rays.enter;
+  rays.wholeExit = rays.exit;
+  KeepInside(rays, parameters.boxLowerGrid, parameters.boxUpperGrid);
+  return rays;
+}
+
+/// The part of rays in the box.
+inline PacketRays OwnRaysOf(const PacketScene& scene, const PacketRays& lines, int x, int y)
+{
+  const RayParameters& parameters = scene.rays;
+  PacketRays rays = InsideBox(scene, lines, parameters.boxLowerGrid, parameters.boxUpperGrid);
+  CutInside(rays, scene, lines, x, y);
   if (scene.depths.nearest)
   {
     CutByVisible(rays, scene.depths, x, y);
   }
+  return rays;
+}
+
+/// @param x, y  the first pixel of the packet, in the image
+inline PacketRays RaysOf(const PacketScene& scene, int x, int y)
+{
+  const PacketRays lines = LinesOf(scene, x, y);
+  PacketRays rays =
+    scene.steps.areShared ? SharedRaysOf(scene, lines, x, y) : OwnRaysOf(scene, lines, x, y);
   const LaneMask inside = LaneMask(rays.enter < rays.exit);
   rays.enter = Select(inside, rays.enter, Lanes{});
   rays.exit = Select(inside, rays.exit, Lanes{});
+  rays.wholeEnter = Select(inside, rays.wholeEnter, Lanes{});
+  rays.wholeExit = Select(inside, rays.wholeExit, Lanes{});
   return rays;
 }
 

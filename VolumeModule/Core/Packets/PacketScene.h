@@ -144,6 +144,8 @@ struct PacketSteps
   const std::uint8_t* bricks; ///< bricks of an OpticalField; null: there is nothing to skip
   glm::ivec3 brickCount;
   bool grow; ///< true: steps are longer where less than half of the light is left
+  /// True: rays take the samples that a march of the whole box takes, of which theirs is a part.
+  bool areShared;
 };
 
 /// A maximum or minimum; see Shaders/Step/BrickExtremes.glsl.

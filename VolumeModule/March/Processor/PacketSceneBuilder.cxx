@@ -54,10 +54,26 @@ PacketRule RuleOf(const RenderSettings& settings)
     : (isMidpoint ? PacketRule::Midpoint : PacketRule::PreIntegrated);
 }
 
+// True if rays take the samples of a march of the whole volume: where rays are sampled, and neither
+// divided into pieces of their own nor dimmed by light that is gathered along them.
+bool SharesSamples(const VolumeMarch& march)
+{
+  const RenderSettings& settings = march.settings;
+  const bool isPlain = settings.blend == Blend::Composite && settings.pass == RayPass::Whole &&
+    IsSampled(settings) && !settings.shadows && !settings.occlusion && !IsMixture(march.frame);
+  const bool isInPieces = settings.cropping || settings.gaps || settings.mask != Mask::None ||
+    march.frame.blockLevels != nullptr;
+  return march.plan.wholeData && isPlain && !isInPieces;
+}
+
 PacketSteps StepsOf(const VolumeMarch& march, const VolumeResources& volume)
 {
   PacketSteps steps = {};
-  steps.mostOpticalDepth = float(-std::log(march.frame.quality.earlyTerminationTransmittance));
+  // A part that ends early lets another one behind it shine through.
+  constexpr double MostThroughPart = 1e-5;
+  const double end = march.frame.quality.earlyTerminationTransmittance;
+  steps.areShared = SharesSamples(march);
+  steps.mostOpticalDepth = float(-std::log(steps.areShared ? std::min(end, MostThroughPart) : end));
   steps.grow = march.settings.acceleration == Acceleration::OpticalField;
   steps.brickCount = glm::ivec3(1);
   if (steps.grow && march.settings.skipsBricks)

@@ -22,30 +22,65 @@ inline LaneMask GoOn(
   return LaneMask(t < rays.exit) & LaneMask(sum.opticalDepth <= scene.steps.mostOpticalDepth);
 }
 
+/// True if rays do not contain all of a segment.
+inline bool IsCut(const PacketRays& rays, Lanes enter, Lanes exit)
+{
+  return Any(LaneMask(enter < rays.enter) | LaneMask(exit > rays.exit));
+}
+
+/// The equal parts of a segment. A segment of the march of the whole may reach beyond the rays.
+struct SegmentParts
+{
+  Lanes enter;              ///< the place where the segment begins
+  Lanes partMm;             ///< 0 for a ray that has ended
+  const PacketRays* inside; ///< the rays that the segment reaches beyond; null: it does not
+
+  Lanes MiddleOf(int part) const { return this->enter + (float(part) + 0.5f) * this->partMm; }
+
+  /// The length that counts [mm].
+  Lanes LengthMm(int part) const
+  {
+    if (!this->inside)
+    {
+      return this->partMm;
+    }
+    const Lanes begin = this->enter + float(part) * this->partMm;
+    return this->inside->LengthBetween(begin, begin + this->partMm);
+  }
+};
+
 /// Marches segments of equal parts, each of which a rule adds to the sum.
 /// @param before  the sum in front of the rays
-/// @param take    (sum, t where the segment begins, length of a part [mm], 0 for a ray that has
-///                ended, mask of the rays that have jumped here from the end of the last segment)
+/// @param take    (sum, parts of the segment, mask of the rays that have jumped here from the end
+///                of the last segment)
 template <int PartsPerSegment, class Take>
 PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
   const PacketSum& before, Take take)
 {
   constexpr float Part = 1.0f / PartsPerSegment;
+  const float plainMm = PartsPerSegment * scene.rays.stepMm;
+  const bool areShared = scene.steps.areShared;
+  const Lanes end = areShared ? rays.wholeExit : rays.exit;
   PacketSum sum = before;
   Lanes t = rays.enter;
+  IntLanes index = areShared ? walk.SharedIndexAt(t, plainMm) : IntLanes{};
   LaneMask going = GoOn(scene, rays, t, sum);
-  for (int index = 0; index < scene.rays.mostSegments && Any(going); ++index)
+  for (int count = 0; count < scene.rays.mostSegments && Any(going); ++count)
   {
-    const SegmentLanes segment = walk.NextSegment(
-      t, AllInt(index), PartsPerSegment * scene.rays.stepMm, sum.opticalDepth, going);
+    const NumberedSegment segment = walk.NextSegment(t, index, plainMm, sum.opticalDepth, going);
     going &= LaneMask(segment.enter < rays.exit);
     if (!Any(going))
     {
       break; // the rest is invisible
     }
-    const LaneMask jumps = going & (LaneMask(segment.enter > t) | (AllInt(index) == 0));
-    t = Min(segment.exit, rays.exit);
-    take(sum, segment.enter, Select(going, (t - segment.enter) * Part, Lanes{}), jumps);
+    const LaneMask jumps = going & (LaneMask(segment.enter > t) | (AllInt(count) == 0));
+    t = Min(segment.exit, end);
+    const bool isCut = areShared && IsCut(rays, segment.enter, t);
+    take(sum,
+      SegmentParts{ segment.enter, Select(going, (t - segment.enter) * Part, Lanes{}),
+        isCut ? &rays : nullptr },
+      jumps);
+    index = segment.index + 1;
     going &= GoOn(scene, rays, t, sum);
   }
   return sum;

@@ -31,13 +31,14 @@ PacketSum MarchMaterialMidpoints(
   Material material(scene, rays);
   bool isSeen = false; // the last sample: the next is then read with its gradient at once
   PacketSum all = MarchSegments<Parts>(scene, rays, walk, before,
-    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
+    [&](PacketSum& sum, const SegmentParts& parts, LaneMask)
     {
       for (int part = 0; part < Parts; ++part)
       {
-        const Lanes t = enter + (float(part) + 0.5f) * partMm;
+        const Lanes t = parts.MiddleOf(part);
+        const Lanes lengthMm = parts.LengthMm(part);
         const Lanes3 place = rays.At(t);
-        const LaneMask going = LaneMask(partMm > 0.0f);
+        const LaneMask going = LaneMask(lengthMm > 0.0f);
         const auto absorbing = [&](Lanes value)
         { return going & MayAbsorb(scene.look, value, value); };
         if (!isSeen && !Any(absorbing(voxels.ValueAt(place))))
@@ -50,7 +51,7 @@ PacketSum MarchMaterialMidpoints(
         if (isSeen)
         {
           AddLit(sum, material, value, SurfaceAt(material, { value, gradient }, place, absorbs),
-            { t, partMm });
+            { t, lengthMm });
         }
       }
     });

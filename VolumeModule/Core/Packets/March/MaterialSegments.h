@@ -37,7 +37,14 @@ public:
     , material(scene, rays)
     , sum(before)
     , t(rays.enter)
+    , end(rays.exit)
   {
+    if (scene.steps.areShared)
+    {
+      this->index = walk.SharedIndexAt(rays.enter, scene.rays.stepMm);
+      this->t = walk.SharedStartOf(this->index, scene.rays.stepMm);
+      this->end = rays.wholeExit;
+    }
     this->segment.endValue = this->voxels.ValueAt(rays.At(this->t));
     this->going = GoOn(scene, rays, this->t, this->sum);
   }
@@ -47,6 +54,8 @@ public:
     while (this->FindSegment())
     {
       this->ReadSurface();
+      this->isCut =
+        this->scene.steps.areShared && IsCut(this->rays, this->t - this->segment.lengthMm, this->t);
       constexpr int Parts = 4;
       for (int part = 0; part < Parts; ++part)
       {
@@ -87,31 +96,40 @@ private:
   // value behind the jump.
   void NextSegment(LaneMask mask)
   {
-    const SegmentLanes next = this->walk.NextSegment(
+    const NumberedSegment next = this->walk.NextSegment(
       this->t, this->index, this->scene.rays.stepMm, this->sum.opticalDepth, mask);
     const LaneMask jumps = LaneMask(next.enter > this->t);
-    const Lanes end = Min(Select(jumps, next.enter, next.exit), this->rays.exit);
-    const Lanes length = Select(jumps, Lanes{}, Max(end - next.enter, Lanes{}));
-    const Lanes value = this->voxels.ValueAt(this->rays.At(end));
+    const Lanes newT = Min(Select(jumps, next.enter, next.exit), this->end);
+    const Lanes length = Select(jumps, Lanes{}, Max(newT - next.enter, Lanes{}));
+    const Lanes value = this->voxels.ValueAt(this->rays.At(newT));
     this->segment.startValue = Select(mask, this->segment.endValue, this->segment.startValue);
     this->segment.endValue = Select(mask, value, this->segment.endValue);
     this->segment.lengthMm = Select(mask, length, this->segment.lengthMm);
-    this->t = Select(mask, end, this->t);
-    this->index -= mask & ~jumps; // a mask is -1
+    this->t = Select(mask, newT, this->t);
+    this->index = Select(mask, next.index - ~jumps, this->index); // a mask is -1
   }
 
   void ReadSurface()
   {
-    const Lanes3 place = this->rays.At(this->t);
+    const SurfaceType surface = this->SurfaceOn(this->t, this->segment.endValue);
+    // Before its first visible segment a ray has no gradient yet; it absorbs least there. A part
+    // cannot know whether it is the first segment of the whole.
+    const bool readsStart = this->scene.steps.areShared && Any(this->going & ~this->known);
+    const SurfaceType unknown = readsStart
+      ? this->SurfaceOn(this->t - this->segment.lengthMm, this->segment.startValue)
+      : surface;
+    this->segment.start = Select(this->known, this->segment.end, unknown);
+    this->segment.end = surface;
+    this->known = this->going;
+  }
+
+  SurfaceType SurfaceOn(Lanes at, Lanes value)
+  {
+    const Lanes3 place = this->rays.At(at);
     const Lanes3 gradient = this->material.IsPlain()
       ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
       : this->voxels.SlopeAt(place, this->going).gradient;
-    const SurfaceType surface =
-      SurfaceAt(this->material, { this->segment.endValue, gradient }, place, this->going);
-    // Before its first visible segment a ray has no gradient yet; it absorbs least there.
-    this->segment.start = Select(this->known, this->segment.end, surface);
-    this->segment.end = surface;
-    this->known = this->going;
+    return SurfaceAt(this->material, { value, gradient }, place, this->going);
   }
 
   /// @param along  the middle of the part, [0, 1] of the segment
@@ -119,9 +137,13 @@ private:
   {
     const MaterialSegment<SurfaceType>& piece = this->segment;
     const Lanes place = All(along);
+    const Lanes middle = this->t - (1.0f - along) * piece.lengthMm;
+    const Lanes partMm = part * piece.lengthMm;
     AddLit(this->sum, this->material, Mix(piece.startValue, piece.endValue, place),
       Mix(piece.start, piece.end, place),
-      { this->t - (1.0f - along) * piece.lengthMm, part * piece.lengthMm });
+      { middle,
+        this->isCut ? this->rays.LengthBetween(middle - 0.5f * partMm, middle + 0.5f * partMm)
+                    : partMm });
   }
 
   const PacketScene& scene;
@@ -131,6 +153,8 @@ private:
   Material material;
   PacketSum sum;
   Lanes t;
+  Lanes end;          ///< the end of the last segment
+  bool isCut = false; ///< true if the segment reaches beyond the rays
   IntLanes index = {};
   LaneMask going;
   LaneMask known = {}; ///< the rays whose surface at t is known

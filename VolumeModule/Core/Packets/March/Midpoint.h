@@ -19,15 +19,15 @@ PacketSum MarchMidpoints(
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
   return MarchSegments<Parts>(scene, rays, walk, before,
-    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask)
+    [&](PacketSum& sum, const SegmentParts& parts, LaneMask)
     {
       Lanes values[Parts];
-      ReadValues(voxels, rays, enter + 0.5f * partMm, partMm, values);
+      ReadValues(voxels, rays, parts.enter + 0.5f * parts.partMm, parts.partMm, values);
       for (int part = 0; part < Parts; ++part)
       {
         if (Any(MayAbsorb(scene.look, values[part], values[part])))
         {
-          sum.Add(Classify(scene.look, values[part]), partMm);
+          sum.Add(Classify(scene.look, values[part]), parts.LengthMm(part));
         }
       }
     });

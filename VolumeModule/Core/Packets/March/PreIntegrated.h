@@ -21,15 +21,16 @@ PacketSum MarchPreIntegrated(
   Lanes start = {};
   Lanes values[Parts] = {};
   return MarchSegments<Parts>(scene, rays, walk, before,
-    [&](PacketSum& sum, Lanes enter, Lanes partMm, LaneMask jumps)
+    [&](PacketSum& sum, const SegmentParts& parts, LaneMask jumps)
     {
-      start = Any(jumps) ? voxels.ValueAt(rays.At(enter)) : values[Parts - 1];
-      ReadValues(voxels, rays, enter + partMm, partMm, values);
-      for (const Lanes& value : values)
+      start = Any(jumps) ? voxels.ValueAt(rays.At(parts.enter)) : values[Parts - 1];
+      ReadValues(voxels, rays, parts.enter + parts.partMm, parts.partMm, values);
+      for (int part = 0; part < Parts; ++part)
       {
+        const Lanes value = values[part];
         if (Any(MayAbsorb(scene.look, start, value)))
         {
-          sum.Add(ClassifyBetween(scene.look, start, value), partMm);
+          sum.Add(ClassifyBetween(scene.look, start, value), parts.LengthMm(part));
         }
         start = value;
       }

@@ -21,6 +21,14 @@ struct SegmentLanes
   Lanes exit;
 };
 
+/// A segment with its number along its ray.
+struct NumberedSegment
+{
+  Lanes enter;
+  Lanes exit;
+  IntLanes index;
+};
+
 class PacketWalk
 {
 public:
@@ -35,15 +43,35 @@ public:
   }
 
   /// See Shaders/Slots.glsl; only the rays of a mask matter.
-  SegmentLanes NextSegment(
+  NumberedSegment NextSegment(
     Lanes t, IntLanes index, float plainMm, Lanes opticalDepth, LaneMask mask) const
   {
+    if (this->steps.areShared)
+    {
+      return this->NextShared(index, plainMm, mask);
+    }
     if (!this->steps.grow)
     {
       // Positions come from the index, so that nothing accumulates over thousands of steps.
-      return { t, this->rays.enter + (FloatOf(index) + this->firstPart) * plainMm };
+      return { t, this->rays.enter + (FloatOf(index) + this->firstPart) * plainMm, index };
     }
-    return this->NextOfBricks(t, this->StepMm(index, plainMm, opticalDepth), mask);
+    const SegmentLanes next =
+      this->NextOfBricks(t, this->StepMm(index, plainMm, opticalDepth), mask);
+    return { next.enter, next.exit, index };
+  }
+
+  /// The number of the segment of the march of the whole that contains a place.
+  IntLanes SharedIndexAt(Lanes t, float plainMm) const
+  {
+    const Lanes place = (t - this->rays.wholeEnter) * (1.0f / plainMm);
+    return Truncated(Max(place + (1.0f - this->firstPart), Lanes{}));
+  }
+
+  /// The place where a segment of the march of the whole begins.
+  Lanes SharedStartOf(IntLanes index, float plainMm) const
+  {
+    const Lanes segments = FloatOf(index) + (this->firstPart - 1.0f);
+    return this->rays.wholeEnter + Max(segments, Lanes{}) * plainMm;
   }
 
   /// The length of a step: noise shortens the first one, and where little light is left, steps are
@@ -84,6 +112,36 @@ public:
   }
 
 private:
+  /// The segment of the march of the whole that has this number, or the one behind invisible
+  /// bricks. Bricks that count as homogeneous are sampled too, as they belong to a part alone.
+  NumberedSegment NextShared(IntLanes index, float plainMm, LaneMask mask) const
+  {
+    if (this->steps.bricks)
+    {
+      const Lanes from = Max(this->SharedStartOf(index, plainMm), this->rays.enter);
+      const Lanes visible = this->BehindInvisible(from, mask);
+      const IntLanes behind = this->SharedIndexAt(visible, plainMm);
+      index = Select(LaneMask(visible > from) & LaneMask(behind > index), behind, index);
+    }
+    return { this->SharedStartOf(index, plainMm), this->SharedStartOf(index + 1, plainMm), index };
+  }
+
+  /// The place where rays leave the invisible bricks that begin at t.
+  Lanes BehindInvisible(Lanes t, LaneMask mask) const
+  {
+    LatticePlace place = this->lattice.At(t);
+    for (int skip = 0; skip < this->parameters.mostSegments && Any(mask); ++skip)
+    {
+      const IntLanes content = this->ContentOf(place.cell);
+      mask &= content >= 128;
+      const LatticePlace behind =
+        this->lattice.BehindBlock(place, Max(FloatOf(content) - 128.0f, Lanes{}));
+      place = Select(mask, behind, place);
+      mask &= LaneMask(place.t < this->rays.exit);
+    }
+    return place.t;
+  }
+
   static constexpr float DepthOfHalf = 0.693147181f; ///< through which half of the light passes
 
   // Shaders/Math/StepGrowth.glsl: sqrt(exp(depth) / 2), from 1 to 4.
