@@ -14,6 +14,8 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTabBar>
 #include <QTest>
 
@@ -174,6 +176,18 @@ void TaskHand::ExpectNameToSave(const QString& path)
     {
       ++this->clicks;
       AcceptName(dialog, path);
+    });
+}
+
+void TaskHand::ExpectToDiscard()
+{
+  this->Expect(
+    [](QWidget* dialog)
+    {
+      if (auto* const box = qobject_cast<QMessageBox*>(dialog))
+      {
+        box->button(QMessageBox::Discard)->click();
+      }
     });
 }
 

@@ -42,6 +42,8 @@ public:
   void ExpectFile(const QString& path);
   /// One click: the name is proposed, and only the folder is private to this test.
   void ExpectNameToSave(const QString& path);
+  /// No click: what changed is discarded when the window closes.
+  void ExpectToDiscard();
 
   int Clicks() const { return this->clicks + this->drags; }
   double Seconds() const;

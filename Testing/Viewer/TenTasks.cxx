@@ -3,8 +3,7 @@
 // Usage: ViewerTasks FOLDER [--language CODE] [--theme light|dark|contrast] [--head FILE]
 //   [--task NAME] [--table TenTasks.md]
 // on a display that the window fills. Writes a picture of the window after each task into the
-// folder. With a table, writes none and does not wait for them, but fails if its rows have other
-// numbers.
+// folder; with a table, fails instead if its rows have other numbers.
 
 #include "FakeWebArchive.h"
 #include "LeaksOfOthers.h"
@@ -323,14 +322,7 @@ private:
       AwaitPictures(*this->window);
     }
     this->Take(name, this->window.get());
-    this->hand.Expect(
-      [](QWidget* dialog)
-      {
-        if (auto* const box = qobject_cast<QMessageBox*>(dialog))
-        {
-          box->button(QMessageBox::Discard)->click();
-        }
-      });
+    this->hand.ExpectToDiscard();
     this->window->close();
     this->window.reset();
     this->hand.ForgetExpected();
