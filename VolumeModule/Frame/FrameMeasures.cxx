@@ -1,5 +1,6 @@
 #include "Frame/FrameMeasures.h"
 
+#include "Core/Geometry/ProjectedBox.h"
 #include "Core/Recipe/MaterialRecipe.h"
 
 #include <glm/common.hpp>
@@ -34,8 +35,8 @@ double SumOf(const Frame& frame, const Number& numberOf)
 class ThinnestPiece
 {
 public:
-  explicit ThinnestPiece(const Frame& frame)
-    : box(frame.cuts.boxGrid)
+  ThinnestPiece(const Frame& frame, const Box& grid)
+    : box(grid)
     , worldFromNormal(glm::inverse(glm::transpose(frame.geometry.WorldFromGridDirection())))
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -123,12 +124,22 @@ double SmallestSpacingMm(const Frame& frame)
     frame, [](const VolumeGeometry& geometry) { return geometry.SmallestSpacingMm(); });
 }
 
-double ThinnestPieceMm(const Frame& frame)
+Box BoxInGrid(const Frame& frame, const Box& data)
 {
-  double thinnest = ThinnestPiece(frame).Mm();
+  return BoxAround(data, glm::inverse(frame.geometry.dataFromGrid));
+}
+
+double DiagonalMm(const Frame& frame, const Box& grid)
+{
+  return glm::length(frame.geometry.WorldFromGridDirection() * (grid.upper - grid.lower));
+}
+
+double ThinnestPieceMm(const Frame& frame, const Box& grid)
+{
+  double thinnest = ThinnestPiece(frame, grid).Mm();
   for (const Frame& other : frame.others)
   {
-    thinnest = std::min(thinnest, ThinnestPiece(other).Mm());
+    thinnest = std::min(thinnest, ThinnestPiece(other, other.cuts.boxGrid).Mm());
   }
   return thinnest;
 }

@@ -50,9 +50,7 @@ void SetRays(RayParameters& p, const VolumeMarch& march, const Box& boxGrid)
 Box WholeBoxGrid(const VolumeMarch& march)
 {
   const Frame& frame = march.frame;
-  return march.plan.wholeData
-    ? BoxAround(*march.plan.wholeData, glm::inverse(frame.geometry.dataFromGrid))
-    : frame.cuts.boxGrid;
+  return march.plan.wholeData ? BoxInGrid(frame, *march.plan.wholeData) : frame.cuts.boxGrid;
 }
 
 // A ray of a part numbers its segments like one of the whole.
@@ -64,10 +62,7 @@ int MostSegmentsOf(const VolumeMarch& march)
   {
     return most;
   }
-  const Box whole = WholeBoxGrid(march);
-  const double diagonalMm =
-    glm::length(march.frame.geometry.WorldFromGridDirection() * (whole.upper - whole.lower));
-  return most + int(std::ceil(diagonalMm / step));
+  return most + int(std::ceil(DiagonalMm(march.frame, WholeBoxGrid(march)) / step));
 }
 
 // The whole box has no part that is taken away because it is invisible, so that steps count from

@@ -58,16 +58,22 @@ bool IsOpacityOfValues(RenderSettings settings)
 StepRange RangeOf(const VolumeMarch& march)
 {
   const double voxelMm = SmallestSpacingMm(march.frame);
-  const double acrossMm =
-    std::max(ThinnestPieceMm(march.frame) / FewestAcross, LeastOfCoarsestVoxels * voxelMm);
   const double coarsestMm =
-    std::min({ CoarsestVoxels * voxelMm, LongestRayMm(march.frame) / FewestSamples, acrossMm });
+    CoarsestDistanceMm(march.frame, march.frame.cuts.boxGrid, LongestRayMm(march.frame));
   // The search also draws at half of the finest distance.
   const double finestMm = std::max(
     FinestVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
   return { coarsestMm, std::min(finestMm, coarsestMm), !march.frame.voxelsFit };
 }
 
+}
+
+double CoarsestDistanceMm(const Frame& frame, const Box& grid, double longestRayMm)
+{
+  const double voxelMm = SmallestSpacingMm(frame);
+  const double acrossMm =
+    std::max(ThinnestPieceMm(frame, grid) / FewestAcross, LeastOfCoarsestVoxels * voxelMm);
+  return std::min({ CoarsestVoxels * voxelMm, longestRayMm / FewestSamples, acrossMm });
 }
 
 SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)

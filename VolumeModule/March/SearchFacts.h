@@ -28,6 +28,12 @@ struct SearchFacts
 
 SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume);
 
+/// The coarsest sample distance of a search [mm].
+/// @param grid  the box of the volume, or of the whole of which it is a part, in its grid
+/// coordinates
+/// @param longestRayMm  through it
+double CoarsestDistanceMm(const Frame& frame, const Box& grid, double longestRayMm);
+
 }
 
 #endif

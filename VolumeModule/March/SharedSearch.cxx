@@ -2,8 +2,10 @@
 
 #include "Core/Geometry/ProjectedBox.h"
 #include "Frame/FrameBuilder.h"
+#include "Frame/FrameMeasures.h"
 #include "March/LevelOfDetail.h"
 #include "March/MapperInternals.h"
+#include "March/SearchFacts.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
@@ -299,6 +301,22 @@ std::vector<float> SharedSearch::DrawParts(std::vector<Part>& parts, const Trial
   return whole;
 }
 
+// Tells the parts the box of the whole, and returns the coarsest distance of all processes for it:
+// a part is thinner.
+double SharedSearch::TellWhole(
+  std::vector<Part>& parts, const Box& wholeData, const SearchingProcesses& processes)
+{
+  std::vector<double> coarsest = { NumberOfNoPart };
+  for (Part& part : parts)
+  {
+    part.trials.plan.wholeData = wholeData;
+    const Box grid = BoxInGrid(part.frame, wholeData);
+    MergeNumbers(coarsest, { CoarsestDistanceMm(part.frame, grid, DiagonalMm(part.frame, grid)) });
+  }
+  processes.takeLeast(coarsest);
+  return coarsest.front();
+}
+
 std::optional<CommonSteps> SharedSearch::Search(
   std::vector<Part>& parts, bool isRefused, const SearchingProcesses& processes)
 {
@@ -327,14 +345,11 @@ std::optional<CommonSteps> SharedSearch::Search(
     return this->made->steps;
   }
   const Box wholeData = BoxOf(&least[factCount]);
-  for (Part& part : parts)
-  {
-    part.trials.plan.wholeData = wholeData;
-  }
+  SearchFacts facts = FactsOf(least);
+  facts.range.coarsest = TellWhole(parts, wholeData, processes);
   const auto drawOwn = [&](const TrialImage& image) { return DrawParts(parts, image); };
-  std::optional<CommonSteps> found = processes.isLeader
-    ? LeadSearch(FactsOf(least), drawOwn, processes)
-    : FollowSearch(drawOwn, processes);
+  std::optional<CommonSteps> found =
+    processes.isLeader ? LeadSearch(facts, drawOwn, processes) : FollowSearch(drawOwn, processes);
   if (found)
   {
     found->wholeData = wholeData;

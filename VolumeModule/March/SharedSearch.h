@@ -63,6 +63,8 @@ private:
   std::vector<Part> PartsOf(vtkRenderer* renderer, vtkVolume* volume,
     const std::vector<vtkVariationFieldVolumeMapper*>& mappers, bool& isRefused) const;
   static std::vector<float> DrawParts(std::vector<Part>& parts, const TrialImage& image);
+  static double TellWhole(
+    std::vector<Part>& parts, const Box& wholeData, const SearchingProcesses& processes);
   std::optional<CommonSteps> Search(
     std::vector<Part>& parts, bool isRefused, const SearchingProcesses& processes);
 
