@@ -116,6 +116,14 @@ const std::vector<DividedCase>& DividedViews()
       } },
     { "turned", [](MapperScene& scene) { scene.volume->SetOrientation(180.0, 0.0, 0.0); } },
     { "oblique", [](MapperScene& scene) { scene.volume->SetOrientation(20.0, 30.0, 40.0); } },
+    // Parts of 12 voxels would try shorter steps by their own sides.
+    { "croppedToThinParts",
+      [](MapperScene& scene)
+      {
+        SetLook(scene, 0.01);
+        scene.mapper->CroppingOn();
+        scene.mapper->SetCroppingRegionPlanes(-40.0, 40.0, -40.0, 40.0, -12.0, 12.0);
+      } },
     { "cropped",
       [](MapperScene& scene)
       {
