@@ -180,13 +180,18 @@ double Decibels(const std::vector<float>& one, const std::vector<float>& other)
   return -10.0 * std::log10(sum / (0.75 * double(one.size())) + Least);
 }
 
+void UsePackets(MapperScene& scene)
+{
+  scene.mapper->ProcessorMarchingOn();
+  scene.mapper->SetErrorTolerance(SharedTolerance);
+}
+
 class SharedSamples : public testing::TestWithParam<DividedCase>
 {
 protected:
   SharedSamples()
   {
-    this->scene.mapper->ProcessorMarchingOn();
-    this->scene.mapper->SetErrorTolerance(SharedTolerance);
+    UsePackets(this->scene);
     SetLook(this->scene, 0.2);
     LookFrom(this->scene, { 120.0, -170.0, 80.0 }, { 0.0, 0.0, 0.0 }, 30.0);
     this->GetParam().set(this->scene);
@@ -231,8 +236,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(SharedSamplesOfParts, KeepTheTolerance)
 {
   MapperScene scene(SmallTorso());
-  scene.mapper->ProcessorMarchingOn();
-  scene.mapper->SetErrorTolerance(SharedTolerance);
+  UsePackets(scene);
   scene.Draw();
   DividedVolume divided(scene, { 2, 2, 2 });
   const std::vector<float> image = divided.Draw();
@@ -244,8 +248,7 @@ TEST(SharedSamplesOfParts, KeepTheTolerance)
 TEST(SharedSamplesOfParts, AreThoseOfTheWholeInCells)
 {
   MapperScene scene(TorsoOfCells());
-  scene.mapper->ProcessorMarchingOn();
-  scene.mapper->SetErrorTolerance(SharedTolerance);
+  UsePackets(scene);
   scene.Draw();
   DividedVolume whole(scene, { 1, 1, 1 });
   DividedVolume divided(scene, { 2, 1, 1 });

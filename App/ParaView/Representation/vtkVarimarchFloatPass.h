@@ -1,6 +1,6 @@
 /**
  * @class   vtkVarimarchFloatPass
- * @brief   draws an image without rounding each thing in it, or each process's part, to 8 bits
+ * @brief   draws an image without rounding each surface, volume or part of a process to 8 bits
  *
  * ParaView's vtkIceTCompositePass reads the picture of each process from a framebuffer of 8 bits
  * and composites bytes. Between Begin and End, this pass takes the place of the pass that draws for

@@ -28,12 +28,11 @@ QString FourDigits(double value)
 QString MeanText(const RegionStatistics& statistics, const QString& unit)
 {
   const double largest = std::max(std::abs(statistics.mean), statistics.standardDeviation);
-  const int digits = largest > 0.0 ? int(std::floor(std::log10(largest))) + 1 : 1;
-  const auto text = [decimals = std::max(3 - digits, 0), digits](double number)
-  {
-    constexpr int MostDigits = 6; // beyond which a power of ten is shorter
-    return std::abs(digits) <= MostDigits ? NumberText(number, decimals) : FourDigits(number);
-  };
+  const bool isShorterAsPower = largest >= 1e6 || (largest > 0.0 && largest < 1e-6);
+  const int decimals =
+    largest > 0.0 && !isShorterAsPower ? std::max(2 - int(std::floor(std::log10(largest))), 0) : 2;
+  const auto text = [=](double number)
+  { return isShorterAsPower ? FourDigits(number) : NumberText(number, decimals); };
   return MeasureTexts::tr("mean %1 ± %2%3")
     .arg(text(statistics.mean), text(statistics.standardDeviation), unit);
 }

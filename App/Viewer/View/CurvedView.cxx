@@ -31,7 +31,7 @@ namespace
 
 const QColor PlaceColor(90, 200, 250, 170);
 constexpr double DegreesPerNotch = 5.0;
-constexpr double LeastHeightMm = 60.0; // an aorta has 30 mm
+constexpr double LeastHeightMm = 60.0; // twice the diameter of an aorta
 const char* const StretchedKey = "curve/stretched";
 
 // The last visible curve of a scene, if it has a length.
@@ -121,8 +121,8 @@ void CurvedView::FindCut()
   this->update();
 }
 
-// The curve fills the view from left to right, or less of it if the view is so low that little
-// around a vessel would be seen. A stretched one has been turned already.
+// The curve fills the view from left to right, unless the view is so low that little around a
+// vessel would be seen: then it fills a part on the left. A stretched one has been turned already.
 CurvedRequest CurvedView::Request() const
 {
   const double lengthMm = this->cut->LengthMm();

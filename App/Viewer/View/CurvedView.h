@@ -14,8 +14,8 @@ namespace varimarch
 
 /// The volume along the last visible curve among the measurements. Straightened, the curve runs
 /// from left to right through the middle; stretched, it keeps its bends towards one direction, and
-/// all distances in the picture are right. At least 6 cm are seen across the curve, for which a
-/// picture may be narrower than a low view. The context menu chooses, and the choice is kept for
+/// all distances in the picture are right. At least 6 cm are seen across the curve: in a low view
+/// the picture is narrower than the view. The context menu chooses, and the choice is kept for
 /// the next start. A ruler shows the distance along the picture. Window, level and slab are those
 /// of the slices. The left button moves the crosshair to the point that is clicked; the wheel, and
 /// the arrow keys up and down, turn the cut about the curve.

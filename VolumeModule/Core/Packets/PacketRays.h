@@ -238,7 +238,7 @@ inline PacketRays InsideBox(const PacketScene& scene, const PacketRays& lines,
   return rays;
 }
 
-/// Cuts the part of lines that is inside a box by everything that is not of the volume.
+/// Cuts rays, which are inside a box already, by the span, by geometry and by layers.
 inline void CutInside(
   PacketRays& rays, const PacketScene& scene, const PacketRays& lines, int x, int y)
 {
