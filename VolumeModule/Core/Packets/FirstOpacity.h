@@ -60,7 +60,7 @@ private:
   void MarchPiece(int index, LaneMask mask)
   {
     const LaneMask isHalf = LaneMask(this->endOpacity > 0.0f);
-    const NumberedSegment segment = this->walk.NextSegment(this->t, AllInt(index),
+    const SegmentLanes segment = this->walk.NextSegment(this->t, AllInt(index),
       StepsPerPiece * this->scene.rays.stepMm, this->sum.opticalDepth, mask & ~isHalf);
     const Lanes begin = Select(isHalf, this->t, segment.enter);
     PacketRays piece = this->rays;

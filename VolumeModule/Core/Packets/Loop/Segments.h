@@ -29,25 +29,35 @@ inline bool IsCut(const PacketRays& rays, Lanes enter, Lanes exit)
 }
 
 /// The equal parts of a segment. A segment of the march of the whole may reach beyond the rays.
+template <int Parts>
 struct SegmentParts
 {
-  Lanes enter;              ///< the place where the segment begins
-  Lanes partMm;             ///< 0 for a ray that has ended
-  const PacketRays* inside; ///< the rays that the segment reaches beyond; null: it does not
+  Lanes enter;           ///< the place where the segment begins
+  Lanes partMm;          ///< 0 for a ray that has ended
+  Lanes lengthMm[Parts]; ///< the length of each part inside the rays
 
   Lanes MiddleOf(int part) const { return this->enter + (float(part) + 0.5f) * this->partMm; }
-
-  /// The length that counts [mm].
-  Lanes LengthMm(int part) const
-  {
-    if (!this->inside)
-    {
-      return this->partMm;
-    }
-    const Lanes begin = this->enter + float(part) * this->partMm;
-    return this->inside->LengthBetween(begin, begin + this->partMm);
-  }
 };
+
+/// The part of a segment that a packet marches.
+template <int Parts>
+SegmentParts<Parts> PartsOf(const PacketRays& rays, Lanes enter, Lanes partMm, bool isCut)
+{
+  SegmentParts<Parts> parts = { enter, partMm, {} };
+  for (int part = 0; part < Parts; ++part)
+  {
+    parts.lengthMm[part] = partMm;
+  }
+  if (isCut)
+  {
+    for (int part = 0; part < Parts; ++part)
+    {
+      const Lanes begin = enter + float(part) * partMm;
+      parts.lengthMm[part] = rays.LengthBetween(begin, begin + partMm);
+    }
+  }
+  return parts;
+}
 
 /// Marches segments of equal parts, each of which a rule adds to the sum.
 /// @param before  the sum in front of the rays
@@ -67,7 +77,17 @@ PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const 
   LaneMask going = GoOn(scene, rays, t, sum);
   for (int count = 0; count < scene.rays.mostSegments && Any(going); ++count)
   {
-    const NumberedSegment segment = walk.NextSegment(t, index, plainMm, sum.opticalDepth, going);
+    SegmentLanes segment;
+    if (areShared)
+    {
+      const NumberedSegment numbered = walk.NextShared(index, plainMm, going);
+      segment = { numbered.enter, numbered.exit };
+      index = numbered.index + 1;
+    }
+    else
+    {
+      segment = walk.NextSegment(t, AllInt(count), plainMm, sum.opticalDepth, going);
+    }
     going &= LaneMask(segment.enter < rays.exit);
     if (!Any(going))
     {
@@ -77,10 +97,9 @@ PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const 
     t = Min(segment.exit, end);
     const bool isCut = areShared && IsCut(rays, segment.enter, t);
     take(sum,
-      SegmentParts{ segment.enter, Select(going, (t - segment.enter) * Part, Lanes{}),
-        isCut ? &rays : nullptr },
+      PartsOf<PartsPerSegment>(
+        rays, segment.enter, Select(going, (t - segment.enter) * Part, Lanes{}), isCut),
       jumps);
-    index = segment.index + 1;
     going &= GoOn(scene, rays, t, sum);
   }
   return sum;

@@ -31,14 +31,13 @@ PacketSum MarchMaterialMidpoints(
   Material material(scene, rays);
   bool isSeen = false; // the last sample: the next is then read with its gradient at once
   PacketSum all = MarchSegments<Parts>(scene, rays, walk, before,
-    [&](PacketSum& sum, const SegmentParts& parts, LaneMask)
+    [&](PacketSum& sum, const SegmentParts<Parts>& parts, LaneMask)
     {
       for (int part = 0; part < Parts; ++part)
       {
         const Lanes t = parts.MiddleOf(part);
-        const Lanes lengthMm = parts.LengthMm(part);
         const Lanes3 place = rays.At(t);
-        const LaneMask going = LaneMask(lengthMm > 0.0f);
+        const LaneMask going = LaneMask(parts.lengthMm[part] > 0.0f);
         const auto absorbing = [&](Lanes value)
         { return going & MayAbsorb(scene.look, value, value); };
         if (!isSeen && !Any(absorbing(voxels.ValueAt(place))))
@@ -51,7 +50,7 @@ PacketSum MarchMaterialMidpoints(
         if (isSeen)
         {
           AddLit(sum, material, value, SurfaceAt(material, { value, gradient }, place, absorbs),
-            { t, lengthMm });
+            { t, parts.lengthMm[part] });
         }
       }
     });

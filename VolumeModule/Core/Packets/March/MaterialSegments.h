@@ -3,6 +3,7 @@
 
 // Twin of March/MaterialSegments.glsl.
 
+#include "Core/Packets/Flattened.h"
 #include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketSurface.h"
 
@@ -96,8 +97,19 @@ private:
   // value behind the jump.
   void NextSegment(LaneMask mask)
   {
-    const NumberedSegment next = this->walk.NextSegment(
-      this->t, this->index, this->scene.rays.stepMm, this->sum.opticalDepth, mask);
+    SegmentLanes next;
+    if (this->scene.steps.areShared)
+    {
+      const NumberedSegment numbered =
+        this->walk.NextShared(this->index, this->scene.rays.stepMm, mask);
+      next = { numbered.enter, numbered.exit };
+      this->index = Select(mask, numbered.index, this->index);
+    }
+    else
+    {
+      next = this->walk.NextSegment(
+        this->t, this->index, this->scene.rays.stepMm, this->sum.opticalDepth, mask);
+    }
     const LaneMask jumps = LaneMask(next.enter > this->t);
     const Lanes newT = Min(Select(jumps, next.enter, next.exit), this->end);
     const Lanes length = Select(jumps, Lanes{}, Max(newT - next.enter, Lanes{}));
@@ -106,30 +118,38 @@ private:
     this->segment.endValue = Select(mask, value, this->segment.endValue);
     this->segment.lengthMm = Select(mask, length, this->segment.lengthMm);
     this->t = Select(mask, newT, this->t);
-    this->index = Select(mask, next.index - ~jumps, this->index); // a mask is -1
+    this->index -= mask & ~jumps; // a mask is -1
   }
 
   void ReadSurface()
   {
-    const SurfaceType surface = this->SurfaceOn(this->t, this->segment.endValue);
+    const SurfaceType surface = SurfaceOn(
+      this->voxels, this->material, this->rays.At(this->t), this->segment.endValue, this->going);
     // Before its first visible segment a ray has no gradient yet; it absorbs least there. A part
     // cannot know whether it is the first segment of the whole.
     const bool readsStart = this->scene.steps.areShared && Any(this->going & ~this->known);
     const SurfaceType unknown = readsStart
-      ? this->SurfaceOn(this->t - this->segment.lengthMm, this->segment.startValue)
+      ? SurfaceAtStart(this->scene, this->rays, this->t - this->segment.lengthMm,
+          this->segment.startValue, this->going)
       : surface;
     this->segment.start = Select(this->known, this->segment.end, unknown);
     this->segment.end = surface;
     this->known = this->going;
   }
 
-  SurfaceType SurfaceOn(Lanes at, Lanes value)
+  static SurfaceType SurfaceOn(const Voxels& voxels, const Material& material, const Lanes3& place,
+    Lanes value, LaneMask going)
   {
-    const Lanes3 place = this->rays.At(at);
-    const Lanes3 gradient = this->material.IsPlain()
-      ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
-      : this->voxels.SlopeAt(place, this->going).gradient;
-    return SurfaceAt(this->material, { value, gradient }, place, this->going);
+    const Lanes3 gradient = material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
+                                               : voxels.SlopeAt(place, going).gradient;
+    return SurfaceAt(material, { value, gradient }, place, going);
+  }
+
+  /// Takes nothing of the march by its address, so that the march stays in registers.
+  [[gnu::noinline]] FLATTENED static SurfaceType SurfaceAtStart(
+    const PacketScene& scene, const PacketRays& rays, Lanes t, Lanes value, LaneMask going)
+  {
+    return SurfaceOn(Voxels(scene.volume), Material(scene, rays), rays.At(t), value, going);
   }
 
   /// @param along  the middle of the part, [0, 1] of the segment

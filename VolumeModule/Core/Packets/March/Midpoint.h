@@ -19,7 +19,7 @@ PacketSum MarchMidpoints(
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
   return MarchSegments<Parts>(scene, rays, walk, before,
-    [&](PacketSum& sum, const SegmentParts& parts, LaneMask)
+    [&](PacketSum& sum, const SegmentParts<Parts>& parts, LaneMask)
     {
       Lanes values[Parts];
       ReadValues(voxels, rays, parts.enter + 0.5f * parts.partMm, parts.partMm, values);
@@ -27,7 +27,7 @@ PacketSum MarchMidpoints(
       {
         if (Any(MayAbsorb(scene.look, values[part], values[part])))
         {
-          sum.Add(Classify(scene.look, values[part]), parts.LengthMm(part));
+          sum.Add(Classify(scene.look, values[part]), parts.lengthMm[part]);
         }
       }
     });

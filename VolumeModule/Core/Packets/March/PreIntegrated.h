@@ -21,7 +21,7 @@ PacketSum MarchPreIntegrated(
   Lanes start = {};
   Lanes values[Parts] = {};
   return MarchSegments<Parts>(scene, rays, walk, before,
-    [&](PacketSum& sum, const SegmentParts& parts, LaneMask jumps)
+    [&](PacketSum& sum, const SegmentParts<Parts>& parts, LaneMask jumps)
     {
       start = Any(jumps) ? voxels.ValueAt(rays.At(parts.enter)) : values[Parts - 1];
       ReadValues(voxels, rays, parts.enter + parts.partMm, parts.partMm, values);
@@ -30,7 +30,7 @@ PacketSum MarchPreIntegrated(
         const Lanes value = values[part];
         if (Any(MayAbsorb(scene.look, start, value)))
         {
-          sum.Add(ClassifyBetween(scene.look, start, value), parts.LengthMm(part));
+          sum.Add(ClassifyBetween(scene.look, start, value), parts.lengthMm[part]);
         }
         start = value;
       }

@@ -60,7 +60,7 @@ public:
     LaneMask going = LaneMask(t < this->rays.exit);
     for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
     {
-      const NumberedSegment segment = this->walk.NextSegment(
+      const SegmentLanes segment = this->walk.NextSegment(
         t, AllInt(index), PartsPerSegment * this->scene.rays.stepMm, Lanes{}, going);
       const LaneMask leavesOut = going & LaneMask(segment.enter > t);
       if (Any(leavesOut))

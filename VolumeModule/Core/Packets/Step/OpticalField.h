@@ -43,21 +43,15 @@ public:
   }
 
   /// See Shaders/Slots.glsl; only the rays of a mask matter.
-  NumberedSegment NextSegment(
+  SegmentLanes NextSegment(
     Lanes t, IntLanes index, float plainMm, Lanes opticalDepth, LaneMask mask) const
   {
-    if (this->steps.areShared)
-    {
-      return this->NextShared(index, plainMm, mask);
-    }
     if (!this->steps.grow)
     {
       // Positions come from the index, so that nothing accumulates over thousands of steps.
-      return { t, this->rays.enter + (FloatOf(index) + this->firstPart) * plainMm, index };
+      return { t, this->rays.enter + (FloatOf(index) + this->firstPart) * plainMm };
     }
-    const SegmentLanes next =
-      this->NextOfBricks(t, this->StepMm(index, plainMm, opticalDepth), mask);
-    return { next.enter, next.exit, index };
+    return this->NextOfBricks(t, this->StepMm(index, plainMm, opticalDepth), mask);
   }
 
   /// The number of the segment of the march of the whole that contains a place.
@@ -111,10 +105,9 @@ public:
     return { place.t, Max(place.t + plainMm, behindT) };
   }
 
-private:
   /// The segment of the march of the whole that has this number, or the one behind invisible
   /// bricks. Bricks that count as homogeneous are sampled too, as they belong to a part alone.
-  NumberedSegment NextShared(IntLanes index, float plainMm, LaneMask mask) const
+  [[gnu::noinline]] NumberedSegment NextShared(IntLanes index, float plainMm, LaneMask mask) const
   {
     if (this->steps.bricks)
     {
@@ -126,6 +119,7 @@ private:
     return { this->SharedStartOf(index, plainMm), this->SharedStartOf(index + 1, plainMm), index };
   }
 
+private:
   /// The place where rays leave the invisible bricks that begin at t.
   Lanes BehindInvisible(Lanes t, LaneMask mask) const
   {
