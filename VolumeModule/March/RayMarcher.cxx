@@ -9,6 +9,7 @@
 #include "March/RayParametersBuilder.h"
 #include "March/SkyParameters.h"
 
+#include "vtkDataArray.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
