@@ -262,7 +262,7 @@ testSteps()
 # Prints the median time of a frame of a case in the log of a folder [ms].
 frameTime()
 {
-  sed -n "s/^composite \([0-9]*\)$/\1/p" "$pictures/$1/log"
+  sed -n "s/^composite \([0-9][0-9]*\).*/\1/p" "$pictures/$1/log"
 }
 
 testTimes()
