@@ -129,7 +129,9 @@ TEST_F(Leaving, KeepsTheAutosavedCopyThatWasNotRestored)
   this->Measure();
   const QString copy =
     QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosaved.json";
-  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(copy); }, MostMilliseconds));
+  const auto hasMeasure = [&]
+  { return QFile::exists(copy) && ReadScene(copy.toStdString()).measures.size() == 1; };
+  ASSERT_TRUE(QTest::qWaitFor(hasMeasure, MostMilliseconds));
   // This window goes on, so what a crash would have left is a copy that no viewer has locked.
   const QString left = QFileInfo(copy).path() + "/autosaved-2.json";
   ASSERT_TRUE(QFile::copy(copy, left));
@@ -154,8 +156,12 @@ TEST_F(Leaving, RestoresSegmentsThatWereDrawnBeforeACrash)
   this->Model()->AddSegment("tumour", "new segment");
   this->Model()->ChangeLabels({ { 3, 5, 2, 2, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } }, "paint");
   const QString copies = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  ASSERT_TRUE(
-    QTest::qWaitFor([&] { return QFile::exists(copies + "/autosaved.json"); }, MostMilliseconds));
+  const auto hasSegments = [&]
+  {
+    return QFile::exists(copies + "/autosaved.json") &&
+      ReadScene((copies + "/autosaved.json").toStdString()).labels;
+  };
+  ASSERT_TRUE(QTest::qWaitFor(hasSegments, MostMilliseconds));
   // A crash would have left the copy that this window has locked.
   QFile scene(copies + "/autosaved.json");
   ASSERT_TRUE(scene.open(QIODevice::ReadOnly));
