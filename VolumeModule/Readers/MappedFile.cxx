@@ -79,7 +79,8 @@ std::size_t MappedFile::BytesOfPart(std::size_t index) const
 std::vector<PagedVoxels::Part> MappedFile::DroppableParts(const PageMap& map, std::uint64_t now)
 {
   std::vector<Part> parts;
-  for (std::size_t i = 0; i < this->looks.size(); ++i)
+  this->nextLook = (this->nextLook + 1) % PartsPerLook;
+  for (std::size_t i = this->nextLook; i < this->looks.size(); i += PartsPerLook)
   {
     Look& look = this->looks[i];
     const std::size_t resident =

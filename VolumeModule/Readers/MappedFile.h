@@ -30,6 +30,8 @@ public:
 
 private:
   static constexpr std::size_t PartBytes = 4 << 20;
+  /// Rays wait for a look, which takes longer than what it leads to: each is at every fourth part.
+  static constexpr std::size_t PartsPerLook = 4;
 
   /// Memory of a part as PageMap::DroppableBytes has it, when it was last looked at.
   struct Look
@@ -45,7 +47,8 @@ private:
   std::int64_t modified = 0;
   int descriptor = -1;
   std::vector<Look> looks; ///< one for each part
-  int guard = -1;          ///< number of its entry among the guarded addresses
+  std::size_t nextLook = 0;
+  int guard = -1; ///< number of its entry among the guarded addresses
 };
 
 }

@@ -1,5 +1,6 @@
 #include "Readers/MappedMemory.h"
 
+#include "Core/Blocks/ReadingGate.h"
 #include "Readers/PageMap.h"
 
 #include <pthread.h>
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
 #include <mutex>
 #include <new>
 #include <random>
@@ -98,6 +98,7 @@ public:
       this->watcher.detach();
     }
     new (&this->wake) std::condition_variable;
+    ReadingGate::OfProcess().Open();
     this->mutex.unlock();
   }
 
@@ -120,6 +121,7 @@ private:
       if (this->all.empty())
       {
         ending.swap(this->watcher);
+        ReadingGate::OfProcess().Open();
       }
     }
     this->wake.notify_all();
@@ -134,11 +136,18 @@ private:
   void Watch()
   {
     constexpr auto Pause = std::chrono::milliseconds(10);
+    constexpr auto PauseWithRays = std::chrono::milliseconds(1);
+    ReadingGate& gate = ReadingGate::OfProcess();
     std::unique_lock<std::mutex> lock(this->mutex);
     while (this->watcher.get_id() == std::this_thread::get_id())
     {
       this->DropWhatIsTooMuch();
-      this->wake.wait_for(lock, Pause);
+      const auto end = std::chrono::steady_clock::now() + Pause;
+      do
+      {
+        this->wake.wait_for(lock, gate.IsInUse() ? PauseWithRays : Pause);
+      } while (!gate.IsClosed() && std::chrono::steady_clock::now() < end &&
+        this->watcher.get_id() == std::this_thread::get_id());
     }
   }
 
@@ -150,23 +159,45 @@ private:
       most = std::min(most, kept.mostBytes);
     }
     const std::uint64_t resident = ResidentBytes();
-    // An eighth of room, so that the parts are not looked at for every page.
-    constexpr std::uint64_t RoomPart = 8;
-    const std::uint64_t begins = most - most / RoomPart;
+    // So that the parts are not looked at for every page.
+    const std::uint64_t room = most / 8;
+    // Rays look again after each packet, which brings up to some hundred megabytes meanwhile.
+    const std::uint64_t begins = most - room - most / 16;
     if (resident > begins)
     {
-      this->Drop(resident - std::min(resident, begins - most / RoomPart));
+      this->Drop(resident - std::min(resident, begins - room));
+      // There is room for rays even if too little could be dropped.
+      constexpr std::uint64_t LeastRoom = 64 << 20;
+      ReadingGate::OfProcess().OpenUntil(
+        std::max(begins, ResidentBytes() + std::max(room, LeastRoom)));
+    }
+    else
+    {
+      ReadingGate::OfProcess().OpenUntil(begins);
     }
   }
 
   void Drop(std::uint64_t wantedBytes)
+  {
+    const PageMap map;
+    std::uint64_t dropped = 0;
+    std::uint64_t ofLook = 1;
+    while (dropped < wantedBytes && ofLook > 0)
+    {
+      ofLook = this->DropOfLook(wantedBytes - dropped, map);
+      dropped += ofLook;
+    }
+  }
+
+  /// Drops some of the parts that one look at the voxels finds, but not the quarter in which a page
+  /// is newest while there are others.
+  std::uint64_t DropOfLook(std::uint64_t wantedBytes, const PageMap& map)
   {
     struct PartOfAny
     {
       PagedVoxels* voxels;
       PagedVoxels::Part part;
     };
-    const PageMap map;
     const auto now = std::uint64_t(std::chrono::steady_clock::now().time_since_epoch().count());
     std::vector<PartOfAny> parts;
     for (const Kept& kept : this->all)
@@ -180,12 +211,14 @@ private:
       [](const PartOfAny& one, const PartOfAny& other) { return one.part.grew < other.part.grew; });
     // An image needs about the same parts as the one before, in the same order: if they do not fit,
     // the oldest are those that are needed next. Chance keeps most of them.
-    std::shuffle(parts.begin(), parts.end() - std::ptrdiff_t(parts.size() / 4), this->chance);
+    const auto newest = parts.end() - std::ptrdiff_t(parts.size() / 4);
+    std::shuffle(parts.begin(), newest, this->chance);
     std::uint64_t dropped = 0;
-    for (auto next = parts.begin(); next != parts.end() && dropped < wantedBytes; ++next)
+    for (auto next = parts.begin(); next != newest && dropped < wantedBytes; ++next)
     {
       dropped += next->voxels->Drop(next->part.index, map);
     }
+    return dropped;
   }
 
   std::mutex mutex;
@@ -205,21 +238,6 @@ AllKept& All()
   return all;
 }
 
-}
-
-std::uint64_t ResidentBytes()
-{
-  unsigned long long all = 0;
-  unsigned long long resident = 0;
-  if (std::FILE* const file = std::fopen("/proc/self/statm", "r"))
-  {
-    if (std::fscanf(file, "%llu %llu", &all, &resident) != 2)
-    {
-      resident = 0;
-    }
-    std::fclose(file);
-  }
-  return resident * PageBytes();
 }
 
 void* KeepPaged(std::unique_ptr<PagedVoxels> voxels, std::uint64_t mostBytes)

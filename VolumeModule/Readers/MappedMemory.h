@@ -11,9 +11,10 @@ namespace varimarch
 
 /// Puts voxels among those whose pages are kept within a bound: while the process has more than
 /// `mostBytes` in memory, a thread drops parts of them, but not the quarter in which a page is
-/// newest while there are others. What is dropped is read again when it is needed. Parts that were
-/// written are kept, but not what is first written to a part in the instant in which it is dropped.
-/// Where several volumes have a bound, the least one counts. The thread ends with the last of them.
+/// newest while there are others. Rays wait at the ReadingGate meanwhile. What is dropped is read
+/// again when it is needed. Parts that were written are kept, but not what is first written to a
+/// part in the instant in which it is dropped. Where several volumes have a bound, the least one
+/// counts. The thread ends with the last of them.
 /// @return the bytes of the voxels; ReleasePaged(bytes) is called when nobody uses them any more
 void* KeepPaged(std::unique_ptr<PagedVoxels> voxels, std::uint64_t mostBytes);
 
@@ -24,9 +25,6 @@ void SetMostBytes(const PagedVoxels& voxels, std::uint64_t mostBytes);
 std::uint64_t MostBytesOf(const PagedVoxels& voxels);
 
 void ReleasePaged(void* bytes);
-
-/// Memory of this process that is resident now, with that of mapped files [bytes].
-std::uint64_t ResidentBytes();
 
 }
 

@@ -1,5 +1,6 @@
 #include "Core/Packets/PacketMarch.h"
 
+#include "Core/Blocks/ReadingGate.h"
 #include "Core/Packets/PacketImages.h"
 #include "Core/Packets/PacketTile.h"
 
@@ -18,8 +19,8 @@ namespace
 // Pixels along each side of what one core marches at a time: few enough that all cores finish
 // together, and a multiple of a packet's.
 constexpr glm::ivec2 TileSize = glm::ivec2(16);
-// The same for several images of few rays, between which lie many voxels: one packet.
-constexpr glm::ivec2 SharedTileSize = glm::ivec2(4, 2);
+// The same of a packet.
+constexpr glm::ivec2 PacketSize = glm::ivec2(4, 2);
 
 using TileMarch = void(
   const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
@@ -74,9 +75,9 @@ InstructionSet FastestSet()
 
 // Tiles are counted from the image's first pixel: a pixel is then always in the same packet,
 // whatever part of the image is marched. Cores take them in turn, so that they read voxels that lie
-// together.
-void ForEachTile(const Viewport& pixels, const glm::ivec2& size,
-  const std::function<void(const Viewport& tile)>& march)
+// together, and wait between two packets while too many voxels are in memory.
+void ForEachPacket(const Viewport& pixels, const glm::ivec2& size,
+  const std::function<void(const Viewport& packet)>& march)
 {
   const glm::ivec2 begin(pixels.left, pixels.bottom);
   const glm::ivec2 first = begin / size;
@@ -88,7 +89,14 @@ void ForEachTile(const Viewport& pixels, const glm::ivec2& size,
     {
       const int tile = next++;
       const glm::ivec2 at = (first + glm::ivec2(tile % count.x, tile / count.x)) * size;
-      march({ at.x, at.y, size.x, size.y });
+      for (int y = at.y; y < at.y + size.y; y += PacketSize.y)
+      {
+        for (int x = at.x; x < at.x + size.x; x += PacketSize.x)
+        {
+          ReadingGate::OfProcess().Pass();
+          march({ x, y, PacketSize.x, PacketSize.y });
+        }
+      }
     });
 }
 
@@ -108,7 +116,8 @@ std::vector<InstructionSet> InstructionSetsOfProcessor()
 void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba, InstructionSet set)
 {
   TileMarch* const march = TileMarchOf(scene, set);
-  ForEachTile(pixels, TileSize, [&](const Viewport& tile) { march(scene, pixels, tile, rgba); });
+  ForEachPacket(
+    pixels, TileSize, [&](const Viewport& packet) { march(scene, pixels, packet, rgba); });
 }
 
 void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba)
@@ -118,12 +127,13 @@ void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba)
 
 void MarchPacketsTogether(const std::vector<PacketImage>& images, const Viewport& pixels)
 {
-  ForEachTile(pixels, SharedTileSize,
-    [&](const Viewport& tile)
+  // Between few rays lie many voxels.
+  ForEachPacket(pixels, PacketSize,
+    [&](const Viewport& packet)
     {
       for (const PacketImage& image : images)
       {
-        TileMarchOf(*image.scene, FastestSet())(*image.scene, pixels, tile, image.rgba);
+        TileMarchOf(*image.scene, FastestSet())(*image.scene, pixels, packet, image.rgba);
       }
     });
 }
