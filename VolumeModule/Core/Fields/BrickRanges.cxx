@@ -17,6 +17,19 @@ namespace
 
 constexpr double LargestStep = 65535.0;
 
+// Widens ranges by the values of columns that lie side by side. A compiler takes them together if
+// their number is a constant.
+template <class Scalar, int Columns>
+void Widen(Scalar* __restrict smallest, Scalar* __restrict largest, const Scalar* __restrict values)
+{
+  for (int x = 0; x < Columns; ++x)
+  {
+    const Scalar value = values[x];
+    smallest[x] = value < smallest[x] ? value : smallest[x];
+    largest[x] = largest[x] < value ? value : largest[x];
+  }
+}
+
 // Smallest and largest value of each column of voxels in a bundle of rows.
 template <class Scalar>
 struct ColumnRanges
@@ -38,10 +51,15 @@ struct ColumnRanges
   void Add(const Scalar* row)
   {
     const std::size_t width = this->smallest.size();
-    for (std::size_t x = 0; x < width; ++x)
+    constexpr int Together = 32;
+    std::size_t first = 0;
+    for (; first + Together <= width; first += Together)
     {
-      this->smallest[x] = std::min(this->smallest[x], row[x]);
-      this->largest[x] = std::max(this->largest[x], row[x]);
+      Widen<Scalar, Together>(&this->smallest[first], &this->largest[first], row + first);
+    }
+    for (; first < width; ++first)
+    {
+      Widen<Scalar, 1>(&this->smallest[first], &this->largest[first], row + first);
     }
     if constexpr (!std::numeric_limits<Scalar>::is_integer)
     {
