@@ -39,7 +39,7 @@ struct SegmentParts
   Lanes MiddleOf(int part) const { return this->enter + (float(part) + 0.5f) * this->partMm; }
 };
 
-/// The part of a segment that a packet marches.
+/// @param isCut  true if the segment reaches beyond the rays
 template <int Parts>
 SegmentParts<Parts> PartsOf(const PacketRays& rays, Lanes enter, Lanes partMm, bool isCut)
 {
