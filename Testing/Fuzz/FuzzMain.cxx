@@ -10,11 +10,27 @@
 
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
 #include <stdexcept>
 #include <string>
+
+#include <unistd.h>
+
+namespace
+{
+
+/// Prints why a target ends. libFuzzer closes the standard error while it tries inputs, after the
+/// first call of this.
+void PrintReason(const std::string& reason)
+{
+  static const int error = dup(STDERR_FILENO);
+  dprintf(error, "%s", reason.c_str());
+}
+
+}
 
 /// Ends the program at a message of VTK, which a user would see beside the reader's own.
 class AbortingOutputWindow : public vtkOutputWindow
@@ -28,7 +44,7 @@ public:
     // VTK lets nobody observe the elements of its XML files.
     if (std::string(text).find("vtkXMLDataElement") == std::string::npos)
     {
-      std::cerr << "VTK printed: " << text << '\n';
+      PrintReason("VTK printed: " + std::string(text) + "\n");
       std::abort();
     }
   }
@@ -70,6 +86,7 @@ void LimitProcessorTime()
 
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
+  PrintReason("");
   vtkNew<AbortingOutputWindow> window;
   vtkOutputWindow::SetInstance(window);
   try
@@ -95,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t byt
   }
   catch (const std::exception& error)
   {
-    std::cerr << "The target failed: " << error.what() << '\n';
+    PrintReason("The target failed: " + std::string(error.what()) + "\n");
     std::abort();
   }
   return 0;
