@@ -156,14 +156,12 @@ TEST_F(Leaving, RestoresSegmentsThatWereDrawnBeforeACrash)
   this->Model()->AddSegment("tumour", "new segment");
   this->Model()->ChangeLabels({ { 3, 5, 2, 2, 1, 1 }, { 0, 0, 0 }, { 1, 1, 1 } }, "paint");
   const QString copies = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  const QString copy = copies + "/autosaved.json";
   const auto hasSegments = [&]
-  {
-    return QFile::exists(copies + "/autosaved.json") &&
-      ReadScene((copies + "/autosaved.json").toStdString()).labels;
-  };
+  { return QFile::exists(copy) && ReadScene(copy.toStdString()).labels; };
   ASSERT_TRUE(QTest::qWaitFor(hasSegments, MostMilliseconds));
   // A crash would have left the copy that this window has locked.
-  QFile scene(copies + "/autosaved.json");
+  QFile scene(copy);
   ASSERT_TRUE(scene.open(QIODevice::ReadOnly));
   QFile left(copies + "/autosaved-2.json");
   ASSERT_TRUE(left.open(QIODevice::WriteOnly));

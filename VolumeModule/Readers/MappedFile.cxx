@@ -79,8 +79,8 @@ std::size_t MappedFile::BytesOfPart(std::size_t index) const
 std::vector<PagedVoxels::Part> MappedFile::DroppableParts(const PageMap& map, std::uint64_t now)
 {
   std::vector<Part> parts;
-  this->nextLook = (this->nextLook + 1) % PartsPerLook;
-  for (std::size_t i = this->nextLook; i < this->looks.size(); i += PartsPerLook)
+  this->nextLook = (this->nextLook + 1) % LooksPerRound;
+  for (std::size_t i = this->nextLook; i < this->looks.size(); i += LooksPerRound)
   {
     Look& look = this->looks[i];
     const std::size_t resident =

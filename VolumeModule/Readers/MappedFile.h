@@ -30,8 +30,9 @@ public:
 
 private:
   static constexpr std::size_t PartBytes = 4 << 20;
-  /// Rays wait for a look, which takes longer than what it leads to: each is at every fourth part.
-  static constexpr std::size_t PartsPerLook = 4;
+  /// The looks that see all parts once. Rays wait while parts are looked at, which takes longer
+  /// than dropping them, so that a look is at every fourth part.
+  static constexpr std::size_t LooksPerRound = 4;
 
   /// Memory of a part as PageMap::DroppableBytes has it, when it was last looked at.
   struct Look

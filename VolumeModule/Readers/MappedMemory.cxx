@@ -159,22 +159,19 @@ private:
       most = std::min(most, kept.mostBytes);
     }
     const std::uint64_t resident = ResidentBytes();
-    // So that the parts are not looked at for every page.
+    // A drop frees this much, so that the parts are not looked at for every page.
     const std::uint64_t room = most / 8;
     // Rays look again after each packet, which brings up to some hundred megabytes meanwhile.
     const std::uint64_t begins = most - room - most / 16;
+    std::uint64_t holds = begins;
     if (resident > begins)
     {
       this->Drop(resident - std::min(resident, begins - room));
       // There is room for rays even if too little could be dropped.
       constexpr std::uint64_t LeastRoom = 64 << 20;
-      ReadingGate::OfProcess().OpenUntil(
-        std::max(begins, ResidentBytes() + std::max(room, LeastRoom)));
+      holds = std::max(begins, ResidentBytes() + std::max(room, LeastRoom));
     }
-    else
-    {
-      ReadingGate::OfProcess().OpenUntil(begins);
-    }
+    ReadingGate::OfProcess().OpenUntil(holds);
   }
 
   void Drop(std::uint64_t wantedBytes)
