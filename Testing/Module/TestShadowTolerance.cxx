@@ -1,6 +1,7 @@
 // Shadows of a torso, compared with a reference that integrates the light's way through the volume
 // in double precision.
 
+#include "Module/LabelledTorso.h"
 #include "Module/ReferenceMaterials.h"
 #include "Module/UsualSettings.h"
 #include "Support/ExpectedVtkErrors.h"
@@ -207,6 +208,33 @@ TEST(Shadows, OfAnotherArrayAreItsOwn)
   const std::vector<float> before = kept.scene.DrawByProcessor();
   const std::vector<float> after = drawMirrored(kept.scene);
   EXPECT_EQ(after, drawMirrored(fresh.scene));
+  EXPECT_NE(after, before);
+}
+
+// No time of the mask or of its image tells how its values are meant.
+TEST(Shadows, OfAMaskOfAnotherKindAreItsOwn)
+{
+  const auto inBinary = [](ShadowedTorso& torso)
+  {
+    torso.scene.mapper->SetMaskTypeToBinary();
+    return torso.scene.DrawByProcessor();
+  };
+  ShadowedTorso kept(48);
+  ShadowedTorso fresh(48);
+  for (ShadowedTorso* torso : { &kept, &fresh })
+  {
+    torso->SetMostOpacity(0.1);
+    torso->scene.mapper->SetErrorTolerance(1.0 / 64.0);
+    torso->scene.mapper->SetMaskInput(
+      MaskOf({ 40, 36, 24 }, [](glm::ivec3 voxel) { return voxel.z < 16 ? 1 : 0; }));
+    vtkNew<vtkPiecewiseFunction> thin;
+    thin->AddPoint(-200.0, 0.0);
+    thin->AddPoint(300.0, 0.02);
+    torso->scene.volume->GetProperty()->SetLabelScalarOpacity(1, thin);
+  }
+  const std::vector<float> before = kept.scene.DrawByProcessor();
+  const std::vector<float> after = inBinary(kept);
+  EXPECT_EQ(after, inBinary(fresh));
   EXPECT_NE(after, before);
 }
 

@@ -140,8 +140,8 @@ std::vector<double> ExtinctionFingerprint(const Frame& frame)
   const VoxelInput& voxels = frame.voxels;
   Numbers numbers = VoxelFingerprint(voxels);
   Append(numbers,
-    { AddressOf(voxels.mask.labels), double(voxels.mask.time), TimeOf(voxels.blanking.points),
-      TimeOf(voxels.blanking.cells) });
+    { AddressOf(voxels.mask.labels), double(voxels.mask.time), double(frame.settings.mask),
+      TimeOf(voxels.blanking.points), TimeOf(voxels.blanking.cells) });
   Append(numbers,
     { double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 });
   Append(numbers, frame.material.NumbersOfExtinction());
