@@ -106,27 +106,6 @@ void Crop(Cuts& cuts, vtkVolumeMapper* mapper, const glm::dmat4& dataFromGrid)
 
 }
 
-std::vector<double> Cuts::Numbers() const
-{
-  std::vector<double> numbers;
-  const auto add = [&](const auto& vector)
-  {
-    for (int i = 0; i < vector.length(); ++i)
-    {
-      numbers.push_back(vector[i]);
-    }
-  };
-  add(this->boxGrid.lower);
-  add(this->boxGrid.upper);
-  std::for_each(this->planesGrid.begin(), this->planesGrid.end(), add);
-  if (this->regions)
-  {
-    std::for_each(this->regions->planesGrid.begin(), this->regions->planesGrid.end(), add);
-    numbers.push_back(this->regions->drawn);
-  }
-  return numbers;
-}
-
 Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes)
 {
   Cuts cuts{ geometry.boxGrid, {}, {} };

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 class vtkVolumeMapper;
@@ -24,6 +25,12 @@ struct CroppingRegions
   int drawn;
 };
 
+inline auto FieldsOf(const CroppingRegions& regions)
+{
+  const auto& [planesGrid, drawn] = regions;
+  return std::tie(planesGrid, drawn);
+}
+
 /// The part of a volume's box that clipping planes and cropping leave [grid space]. It is exact,
 /// because rays are cut at the planes; samples are not tested one by one.
 struct Cuts
@@ -31,10 +38,14 @@ struct Cuts
   Box boxGrid;                            ///< The box, reduced by cuts along the grid's axes.
   std::vector<glm::dvec4> planesGrid;     ///< Other cuts, which keep dot(plane, (p, 1)) >= 0.
   std::optional<CroppingRegions> regions; ///< Empty if the regions form one box.
-
-  /// All numbers that an image depends on.
-  std::vector<double> Numbers() const;
 };
+
+inline auto FieldsOf(const Cuts& cuts)
+{
+  const auto& [box, planesGrid, regions] = cuts;
+  const auto& [lower, upper] = box;
+  return std::tie(lower, upper, planesGrid, regions);
+}
 
 /// The cuts of a mapper. Clipping planes are in world space, cropping planes in data coordinates:
 /// these have the image's origin, spacing and direction, but not the volume's matrix.

@@ -5,6 +5,7 @@
 #include "Core/Quality/ErrorBudget.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/Cuts.h"
+#include "Frame/Fingerprint.h"
 #include "Frame/RequestedPass.h"
 #include "Frame/ShadowCasters.h"
 #include "Frame/SliceSurface.h"
@@ -60,20 +61,6 @@ struct MaterialRequest
   std::array<double, 2> averagedRange = {}; ///< The range of scalars that count in an average.
   /// Colour and extinction [1/mm] of cells without a value.
   glm::dvec4 gapOptical = glm::dvec4(0.0);
-
-  /// The numbers that the extinction depends on and that the property does not have.
-  std::vector<double> NumbersOfExtinction() const
-  {
-    return { this->labelBlend, this->gapOptical.a };
-  }
-
-  /// All other numbers that an image depends on in any view and that the property does not have.
-  std::vector<double> OtherNumbers() const
-  {
-    return { this->dampingGradient, this->scatteredPart, this->anisotropy, this->surfacesInShadow,
-      this->shadowReachMm, this->occlusion, this->occlusionReachMm, this->averagedRange[0],
-      this->averagedRange[1], this->gapOptical.r, this->gapOptical.g, this->gapOptical.b };
-  }
 };
 
 /// The required accuracy of a frame.
@@ -110,7 +97,7 @@ struct AccumulationRequest
 {
   int mostImages = 0;              ///< The number of images in the mean; 0: no accumulation.
   double longestPartSeconds = 0.0; ///< The time for a part of an image; 0: it is drawn at once.
-  std::vector<double> fingerprint; ///< See ImageFingerprint; empty if nothing is accumulated.
+  Fingerprint fingerprint;         ///< See ImageFingerprint; empty if nothing is accumulated.
 };
 
 /// The memory and the processors that may be used to draw a frame.
@@ -141,10 +128,10 @@ struct Frame
   RequestedPass pass;
   UserShaderCode userCode;
   DeviceRequest device;
-  std::vector<double> fingerprint; ///< See VolumeFingerprint.
+  Fingerprint fingerprint; ///< See VolumeFingerprint.
   /// Everything in the volumes that overlap, this one among them, that ambient occlusion depends
   /// on; empty without.
-  std::vector<double> occluders;
+  Fingerprint occluders;
 
   /// The volumes that overlap with this one in the same image. They share view, image, pass and
   /// plan with the first volume, and have input, material, geometry and settings of their own.

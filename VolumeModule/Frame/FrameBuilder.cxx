@@ -306,7 +306,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   frame.view.renderer = renderer;
   frame.material.property = volume->GetProperty();
   frame.voxels.scalars = input->scalars;
-  frame.voxels.time = std::max(input->data->GetMTime(), input->scalars->GetMTime());
+  frame.voxels.time = input->Time();
   frame.view.viewport = viewport;
   frame.settings = SettingsOf(mapper, renderer, frame.material.property, input->scalars);
   ChoosePlaces(*input, volume, frame);

@@ -7,6 +7,8 @@
 #include "vtkType.h"
 #include "vtkVolumeMapper.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -51,6 +53,11 @@ vtkDataArray* CheckedScalars(vtkDataSet* data, vtkDataArray* scalars, int cellFl
   return scalars;
 }
 
+std::array<vtkDataArray*, 3> CoordinatesOf(vtkRectilinearGrid* grid)
+{
+  return { grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates() };
+}
+
 std::vector<double> NumbersOf(vtkDataArray* array)
 {
   std::vector<double> numbers;
@@ -77,6 +84,20 @@ glm::ivec3 MapperInput::PointCount() const
   return count;
 }
 
+// A grid does not report changes of its coordinates.
+vtkMTimeType MapperInput::Time() const
+{
+  vtkMTimeType time = std::max(this->data->GetMTime(), this->scalars->GetMTime());
+  if (auto* grid = vtkRectilinearGrid::SafeDownCast(this->data))
+  {
+    for (vtkDataArray* coordinates : CoordinatesOf(grid))
+    {
+      time = std::max(time, coordinates->GetMTime());
+    }
+  }
+  return time;
+}
+
 VolumeGeometry MapperInput::Geometry(vtkVolume* volume, const std::vector<UnevenAxis>& axes) const
 {
   return axes.empty()
@@ -89,8 +110,7 @@ std::vector<UnevenAxis> MapperInput::Axes(bool nearest) const
   std::vector<UnevenAxis> axes;
   if (auto* grid = vtkRectilinearGrid::SafeDownCast(this->data))
   {
-    for (vtkDataArray* coordinates :
-      { grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates() })
+    for (vtkDataArray* coordinates : CoordinatesOf(grid))
     {
       axes.emplace_back(NumbersOf(coordinates), this->place == VoxelPlace::Cells, nearest);
     }

@@ -4,6 +4,8 @@
 #include "Core/Geometry/UnevenAxis.h"
 #include "Frame/VolumeGeometry.h"
 
+#include "vtkType.h"
+
 #include <optional>
 #include <vector>
 
@@ -23,6 +25,9 @@ struct MapperInput
   VoxelPlace place; ///< Points or cells, whichever have the scalars.
 
   glm::ivec3 PointCount() const;
+
+  /// The time of the last change.
+  vtkMTimeType Time() const;
 
   VolumeGeometry Geometry(vtkVolume* volume, const std::vector<UnevenAxis>& axes) const;
 

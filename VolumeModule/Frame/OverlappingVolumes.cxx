@@ -6,8 +6,6 @@
 
 #include "vtkMultiVolume.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -58,17 +56,14 @@ bool IsAny(const std::vector<Frame>& frames, bool RenderSettings::*choice)
 }
 
 // Everything that the light from all around depends on, in all volumes.
-std::vector<double> OccludersOf(const std::vector<Frame>& frames)
+Fingerprint OccludersOf(const std::vector<Frame>& frames)
 {
-  std::vector<double> numbers;
+  Fingerprint occluders;
   for (const Frame& frame : frames)
   {
-    const std::vector<double> own = ExtinctionFingerprint(frame);
-    const double* const world = glm::value_ptr(frame.geometry.worldFromGrid);
-    numbers.insert(numbers.end(), own.begin(), own.end());
-    numbers.insert(numbers.end(), world, world + 16);
+    occluders.Add(Fingerprint(ExtinctionFingerprint(frame), frame.geometry.worldFromGrid));
   }
-  return numbers;
+  return occluders;
 }
 
 // The opaque geometry that lit volumes have found, which is the same for all.
@@ -96,7 +91,7 @@ void ShareSky(std::vector<Frame>& frames)
     shared.occluderVoxelMm = std::min(shared.occluderVoxelMm, own.occluderVoxelMm);
     shared.occludersMm += own.occludersMm;
   }
-  const std::vector<double> occluders = areOccluded ? OccludersOf(frames) : std::vector<double>();
+  const Fingerprint occluders = areOccluded ? OccludersOf(frames) : Fingerprint();
   for (Frame& frame : frames)
   {
     frame.settings.occludesOthers = areOccluded;

@@ -114,18 +114,14 @@ TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function)
   return TransferFunction({}, NodesOf(function), 1.0);
 }
 
-unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property, int component)
+Fingerprint TransferFunctionInputs(vtkVolumeProperty* property, int component)
 {
-  // A function may be older than the one it replaces, so the time of the replacement counts too.
-  const bool isGray = property->GetColorChannels(component) == 1;
-  const unsigned long colorTime = isGray
-    ? std::max(property->GetGrayTransferFunction(component)->GetMTime(),
-        property->GetGrayTransferFunctionMTime(component).GetMTime())
-    : std::max(property->GetRGBTransferFunction(component)->GetMTime(),
-        property->GetRGBTransferFunctionMTime(component).GetMTime());
-  const unsigned long opacityTime = std::max(property->GetScalarOpacity(component)->GetMTime(),
-    property->GetScalarOpacityMTime(component).GetMTime());
-  return std::max(colorTime, opacityTime);
+  vtkObject* const color = property->GetColorChannels(component) == 1
+    ? static_cast<vtkObject*>(property->GetGrayTransferFunction(component))
+    : property->GetRGBTransferFunction(component);
+  vtkPiecewiseFunction* const opacity = property->GetScalarOpacity(component);
+  return Fingerprint(color, color->GetMTime(), opacity, opacity->GetMTime(),
+    property->GetScalarOpacityUnitDistance(component));
 }
 
 }

@@ -2,6 +2,7 @@
 #define Varimarch_Frame_PropertyTransferFunction_h
 
 #include "Core/Look/TransferFunction.h"
+#include "Frame/Fingerprint.h"
 
 #include "VarimarchVolumeModule.h"
 
@@ -29,8 +30,8 @@ TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label)
 /// VTK's opacity curve as a transfer function without colours.
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
 
-/// The time of the last change of a component's curves.
-unsigned long TransferFunctionTimeOf(vtkVolumeProperty* property, int component = 0);
+/// Everything that the transfer function of a component is made from.
+Fingerprint TransferFunctionInputs(vtkVolumeProperty* property, int component);
 
 }
 

@@ -20,36 +20,50 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
-#include <cstdint>
-
 namespace varimarch
 {
 
 namespace
 {
 
-using Numbers = std::vector<double>;
-
-void Append(Numbers& numbers, const Numbers& more)
+vtkMTimeType TimeOf(vtkObject* object)
 {
-  numbers.insert(numbers.end(), more.begin(), more.end());
+  return object ? object->GetMTime() : 0;
 }
 
-double TimeOf(vtkObject* object)
+// The choices that the extinction depends on. All are named, so that a new one has to be sorted.
+Fingerprint ExtinctionChoices(const RenderSettings& settings)
 {
-  return object ? double(object->GetMTime()) : 0.0;
+  const auto& [blend, acceleration, shading, sceneGeometry, integration, nearest, cubic, filter,
+    uneven, clipping, cropping, clippedGradients, gaps, fillGaps, countFetches, skipsBricks, pass,
+    role, damping, lights, shadows, softLights, casters, scattering, occlusion, mask, labelSurfaces,
+    functionOf, components, componentCount, gradientOpacity, storedGradients, jitter, windowLevel,
+    limitsSpan, fromBehind, overlaps, shadowsOthers, occludesOthers, others] = settings;
+  return Fingerprint(blend, acceleration, nearest, cubic, uneven, clipping, cropping,
+    clippedGradients, fillGaps, mask, functionOf, components, componentCount, gradientOpacity);
 }
 
-// A number that tells one object from another.
-double AddressOf(const void* object)
+/// The numbers of a material that an image depends on in any view.
+struct MaterialNumbers
 {
-  return double(reinterpret_cast<std::uintptr_t>(object));
+  Fingerprint ofExtinction;
+  Fingerprint others;
+};
+
+// All are named, so that a new one has to be sorted.
+MaterialNumbers NumbersOf(const MaterialRequest& material)
+{
+  const auto& [property, labelBlend, isovalues, surfaceComponent, dampingGradient, scatteredPart,
+    anisotropy, surfacesInShadow, shadowReachMm, occlusion, occlusionReachMm, occluderVoxelMm,
+    occludersMm, slice, averagedRange, gapOptical] = material;
+  return { Fingerprint(property, labelBlend, gapOptical.a),
+    Fingerprint(isovalues, surfaceComponent, dampingGradient, scatteredPart, anisotropy,
+      surfacesInShadow, shadowReachMm, occlusion, occlusionReachMm, occluderVoxelMm, occludersMm,
+      slice, averagedRange, glm::dvec3(gapOptical)) };
 }
 
 // The lights, if anything is lit.
-Numbers LightsOf(const Frame& frame)
+Fingerprint LightsOf(const Frame& frame)
 {
   if (!frame.settings.shading)
   {
@@ -57,49 +71,35 @@ Numbers LightsOf(const Frame& frame)
   }
   vtkRenderer* const renderer = frame.view.renderer;
   const HeadLightColors head = HeadLightColorsOf(renderer);
-  const glm::dvec3 ambient = AmbientLightOf(renderer);
-  Numbers numbers = { double(renderer->GetTwoSidedLighting()) };
-  for (const glm::dvec3& color : { head.diffuse, head.specular, ambient })
-  {
-    numbers.insert(numbers.end(), glm::value_ptr(color), glm::value_ptr(color) + 3);
-  }
-  for (const glm::vec4& texel : LightTexelsOf(renderer).texels)
-  {
-    numbers.insert(numbers.end(), glm::value_ptr(texel), glm::value_ptr(texel) + 4);
-  }
-  return numbers;
+  return Fingerprint(renderer->GetTwoSidedLighting(), head.diffuse, head.specular,
+    AmbientLightOf(renderer), LightTexelsOf(renderer).texels);
 }
 
-Numbers ViewOf(const Frame& frame)
+Fingerprint ViewOf(const Frame& frame)
 {
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
   const Viewport& viewport = frame.view.viewport;
-  Numbers numbers = { double(viewport.left), double(viewport.bottom), double(viewport.width),
-    double(viewport.height) };
-  numbers.insert(numbers.end(), glm::value_ptr(clipFromGrid), glm::value_ptr(clipFromGrid) + 16);
-  const glm::dmat4& world = frame.geometry.worldFromGrid;
-  numbers.insert(numbers.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
-  return numbers;
+  const glm::dmat4& worldFromGrid = frame.geometry.worldFromGrid;
+  return Fingerprint(viewport.left, viewport.bottom, viewport.width, viewport.height,
+    ClipFromWorld(frame.view.renderer) * worldFromGrid, worldFromGrid);
 }
 
 // The modification times of a property, and of its functions whose changes it does not report.
-Numbers FunctionsOf(vtkVolumeProperty* property)
+Fingerprint FunctionsOf(vtkVolumeProperty* property)
 {
-  Numbers numbers = { TimeOf(property), TimeOf(property->GetSliceFunction()) };
+  Fingerprint times(TimeOf(property), TimeOf(property->GetSliceFunction()));
   for (const int label : LabelsOf(property))
   {
-    Append(numbers,
-      { double(label), TimeOf(property->GetLabelColor(label)),
-        TimeOf(property->GetLabelScalarOpacity(label)),
-        TimeOf(property->GetLabelGradientOpacity(label)) });
+    times.Add(Fingerprint(label, TimeOf(property->GetLabelColor(label)),
+      TimeOf(property->GetLabelScalarOpacity(label)),
+      TimeOf(property->GetLabelGradientOpacity(label))));
   }
-  return numbers;
+  return times;
 }
 
 // The opaque geometry that may end rays, including that of lower layers.
-Numbers GeometryOf(vtkOpenGLRenderWindow* window)
+Fingerprint GeometryOf(vtkOpenGLRenderWindow* window)
 {
-  Numbers numbers;
+  Fingerprint geometry;
   vtkRendererCollection* const renderers = window->GetRenderers();
   vtkCollectionSimpleIterator iterator;
   renderers->InitTraversal(iterator);
@@ -112,64 +112,48 @@ Numbers GeometryOf(vtkOpenGLRenderWindow* window)
     {
       if (!vtkVolume::SafeDownCast(prop))
       {
-        Append(numbers,
-          { AddressOf(prop), double(prop->GetVisibility()), double(prop->GetRedrawMTime()) });
+        geometry.Add(Fingerprint(prop, prop->GetVisibility(), prop->GetRedrawMTime()));
       }
     }
   }
-  return numbers;
+  return geometry;
 }
 
 }
 
-// Another array of the same image has no other time.
-std::vector<double> VoxelFingerprint(const VoxelInput& voxels)
+// Another array of the same image has no other time, and another image of the same array may have
+// no other either.
+Fingerprint VoxelFingerprint(const Frame& frame)
 {
-  Numbers numbers = { double(voxels.time) };
-  for (const VoxelComponent& component : voxels.components)
-  {
-    Append(numbers, { AddressOf(component.array), double(component.index) });
-  }
-  return numbers;
+  return Fingerprint(frame.voxels.time, frame.voxels.components, frame.geometry.dimensions);
 }
 
-std::vector<double> ExtinctionFingerprint(const Frame& frame)
+Fingerprint ExtinctionFingerprint(const Frame& frame)
 {
   vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
   auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
-  const VoxelInput& voxels = frame.voxels;
-  Numbers numbers = VoxelFingerprint(voxels);
-  Append(numbers,
-    { AddressOf(voxels.mask.labels), double(voxels.mask.time), double(frame.settings.mask),
-      TimeOf(voxels.blanking.points), TimeOf(voxels.blanking.cells) });
-  Append(numbers,
-    { double(shader->GetShaderMTime()), uniforms ? double(uniforms->GetUniformListMTime()) : 0.0 });
-  Append(numbers, frame.material.NumbersOfExtinction());
-  Append(numbers, frame.cuts.Numbers());
-  Append(numbers, FunctionsOf(frame.material.property));
-  return numbers;
+  const Blanking& blanking = frame.voxels.blanking;
+  return Fingerprint(VoxelFingerprint(frame), frame.voxels.mask, blanking, TimeOf(blanking.points),
+    TimeOf(blanking.cells), shader->GetShaderMTime(),
+    uniforms ? uniforms->GetUniformListMTime() : 0, ExtinctionChoices(frame.settings),
+    NumbersOf(frame.material).ofExtinction, frame.cuts, FunctionsOf(frame.material.property));
 }
 
-std::vector<double> VolumeFingerprint(const Frame& frame)
+Fingerprint VolumeFingerprint(const Frame& frame)
 {
-  Numbers numbers = ExtinctionFingerprint(frame);
-  Append(numbers, frame.material.OtherNumbers());
-  Append(numbers, LightsOf(frame));
-  return numbers;
+  return Fingerprint(
+    ExtinctionFingerprint(frame), NumbersOf(frame.material).others, LightsOf(frame));
 }
 
-std::vector<double> ImageFingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+Fingerprint ImageFingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
 {
-  Numbers numbers = frame.fingerprint;
-  Append(numbers, frame.casters.fingerprint);
-  Append(numbers,
-    { AddressOf(frame.view.renderer), TimeOf(mapper), double(frame.settings.sceneGeometry) });
-  Append(numbers, ViewOf(frame));
+  Fingerprint image(frame.fingerprint, frame.casters.fingerprint, frame.view.renderer,
+    TimeOf(mapper), frame.settings.sceneGeometry, ViewOf(frame));
   if (frame.settings.sceneGeometry)
   {
-    Append(numbers, GeometryOf(frame.view.window));
+    image.Add(GeometryOf(frame.view.window));
   }
-  return numbers;
+  return image;
 }
 
 }

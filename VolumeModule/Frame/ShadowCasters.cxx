@@ -33,7 +33,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace varimarch
 {
@@ -91,6 +90,13 @@ bool HasColors(vtkMapper* mapper, vtkPolyData* data)
   return mapper->GetScalarVisibility() &&
     vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
       mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cells);
+}
+
+// The inputs of a surface's triangles; its look is none.
+Fingerprint TrianglesIn(const CastingSurface& surface)
+{
+  const auto& [data, time, property, hasColors, worldFromData, planesWorld] = surface;
+  return Fingerprint(data, time, worldFromData, planesWorld);
 }
 
 // Collects the surfaces of actors.
@@ -173,15 +179,7 @@ private:
     this->casters.triangleCount +=
       std::size_t(std::max<vtkIdType>(corners - 2 * cells, 0)) * (1 + surface.planesWorld.size());
     this->casters.surfaces.push_back(surface);
-    std::vector<double>& numbers = this->casters.fingerprint;
-    numbers.push_back(double(reinterpret_cast<std::uintptr_t>(data)));
-    numbers.push_back(double(surface.time));
-    numbers.insert(numbers.end(), glm::value_ptr(surface.worldFromData),
-      glm::value_ptr(surface.worldFromData) + 16);
-    for (const glm::dvec4& plane : surface.planesWorld)
-    {
-      numbers.insert(numbers.end(), glm::value_ptr(plane), glm::value_ptr(plane) + 4);
-    }
+    this->casters.fingerprint.Add(TrianglesIn(surface));
   }
 
   ShadowCasters& casters;
@@ -272,8 +270,7 @@ ShadowCasters ShadowCastersOf(
   casters.shadowing = ShadowingOf(mapper, renderer, volume);
   casters.lieBehindTranslucent = HasTranslucentGeometry(renderer);
   casters.originWorld = OriginNear(volume);
-  casters.fingerprint.insert(casters.fingerprint.end(), glm::value_ptr(casters.originWorld),
-    glm::value_ptr(casters.originWorld) + 3);
+  casters.fingerprint.Add(casters.originWorld);
   return casters;
 }
 

@@ -2,6 +2,7 @@
 #define Varimarch_Frame_ShadowCasters_h
 
 #include "Core/Geometry/TriangleTree.h"
+#include "Frame/Fingerprint.h"
 
 #include "vtkType.h"
 
@@ -46,7 +47,7 @@ struct ShadowCasters
 {
   std::vector<CastingSurface> surfaces;
   glm::dvec3 originWorld = glm::dvec3(0.0); ///< A place near the volume, for triangles of floats.
-  std::vector<double> fingerprint;          ///< Everything that the triangles depend on.
+  Fingerprint fingerprint;                  ///< Everything that the triangles depend on.
   std::size_t triangleCount = 0;            ///< At most as many, with the cuts by planes.
   bool areTooMany = false; ///< True if there are too many triangles: then there are no surfaces.
   Shadowing shadowing = Shadowing::Nothing; ///< Volumes that also cast shadows on the surfaces.

@@ -8,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <tuple>
 #include <vector>
 
 class vtkDataArray;
@@ -21,12 +22,18 @@ struct VoxelComponent
 {
   vtkDataArray* array; ///< One tuple for each voxel, x fastest.
   int index;           ///< The component of the array.
-
-  bool operator==(const VoxelComponent& other) const
-  {
-    return this->array == other.array && this->index == other.index;
-  }
 };
+
+inline auto FieldsOf(const VoxelComponent& component)
+{
+  const auto& [array, index] = component;
+  return std::tie(array, index);
+}
+
+inline bool operator==(const VoxelComponent& one, const VoxelComponent& other)
+{
+  return FieldsOf(one) == FieldsOf(other);
+}
 
 /// The components of a volume, one to four.
 using VoxelComponents = std::vector<VoxelComponent>;
@@ -39,13 +46,18 @@ struct MaskVoxels
   vtkMTimeType time = 0; ///< The time of the last change of the labels.
   bool binary = false;   ///< True if labels only switch voxels on and off.
   std::vector<int> rows; ///< The labels with functions of their own, ascending; empty if binary.
-
-  bool operator==(const MaskVoxels& other) const
-  {
-    return this->labels == other.labels && this->time == other.time &&
-      this->binary == other.binary && this->rows == other.rows;
-  }
 };
+
+inline auto FieldsOf(const MaskVoxels& mask)
+{
+  const auto& [labels, dimensions, time, binary, rows] = mask;
+  return std::tie(labels, dimensions, time, binary, rows);
+}
+
+inline bool operator==(const MaskVoxels& one, const MaskVoxels& other)
+{
+  return FieldsOf(one) == FieldsOf(other);
+}
 
 /// The points and cells that ghost flags remove from a volume: those set by
 /// vtkUniformGrid::BlankPoint, and duplicates between processes. A blanked point also removes the
@@ -66,14 +78,18 @@ struct Blanking
     const bool ofPoints = this->place == VoxelPlace::Points;
     return ofPoints ? this->nearest && !this->cells : this->nearest || this->Any();
   }
-
-  bool operator==(const Blanking& other) const
-  {
-    return this->points == other.points && this->cells == other.cells &&
-      this->pointCount == other.pointCount && this->place == other.place &&
-      this->nearest == other.nearest;
-  }
 };
+
+inline auto FieldsOf(const Blanking& blanking)
+{
+  const auto& [points, cells, pointCount, place, nearest] = blanking;
+  return std::tie(points, cells, pointCount, place, nearest);
+}
+
+inline bool operator==(const Blanking& one, const Blanking& other)
+{
+  return FieldsOf(one) == FieldsOf(other);
+}
 
 /// The voxels that a frame shows. The arrays belong to the caller's pipeline.
 struct VoxelInput

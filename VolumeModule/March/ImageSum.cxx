@@ -11,7 +11,7 @@
 namespace varimarch
 {
 
-void ImageSum::Begin(const std::vector<double>& newScene)
+void ImageSum::Begin(const Fingerprint& newScene)
 {
   if (this->scene != newScene)
   {

@@ -2,12 +2,12 @@
 #define Varimarch_March_ImageSum_h
 
 #include "Core/Quality/PictureStrips.h"
+#include "Frame/Fingerprint.h"
 #include "Resources/FloatFramebuffer.h"
 
 #include <glm/vec2.hpp>
 
 #include <algorithm>
-#include <vector>
 
 namespace varimarch
 {
@@ -19,7 +19,7 @@ class ImageSum
 public:
   /// Must be called before each image; clears the sum if the scene has changed.
   /// @param scene  everything that an image depends on
-  void Begin(const std::vector<double>& scene);
+  void Begin(const Fingerprint& scene);
 
   /// The number of complete images.
   int Count() const { return this->count; }
@@ -54,7 +54,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  std::vector<double> scene;
+  Fingerprint scene;
   int count = 0;
   int imageRows = 0;
   PictureStrips strips; ///< The strips of the next image.

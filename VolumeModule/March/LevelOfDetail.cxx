@@ -44,7 +44,7 @@ bool CanBeRefined(const LevelInputs& inputs)
 
 // True while a scene whose voxels are drawn in parts is still shown by its coarse level: parts of
 // voxels may take long to be read, or steps to be found for them.
-bool Begins(const DrawnView& view, const std::vector<double>& fingerprint, bool lastIsWhole)
+bool Begins(const DrawnView& view, const Fingerprint& fingerprint, bool lastIsWhole)
 {
   return view.begun != fingerprint || (view.beginsStill && !lastIsWhole);
 }
@@ -52,7 +52,7 @@ bool Begins(const DrawnView& view, const std::vector<double>& fingerprint, bool 
 // True if images of a frame are drawn in parts, of which the first ones show the coarse level.
 bool IsInParts(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
 {
-  return mapper->GetLongestPartSeconds() > 0.0 && !frame.accumulation.fingerprint.empty() &&
+  return mapper->GetLongestPartSeconds() > 0.0 && !frame.accumulation.fingerprint.IsEmpty() &&
     frame.pass.kind == RayPass::Whole;
 }
 
@@ -173,7 +173,7 @@ int LevelOfDetail::LevelNow(
   {
     return vtkVariationFieldVolumeMapper::VoxelLevel;
   }
-  std::vector<double> fingerprint = ImageFingerprint(mapper, frame);
+  Fingerprint fingerprint = ImageFingerprint(mapper, frame);
   view.beginsStill = Begins(view, fingerprint, lastIsWhole);
   view.begun = std::move(fingerprint);
   view.isComplete = !view.beginsStill;
@@ -264,7 +264,7 @@ void LevelOfDetail::ForgetScene(DrawnView& view)
 {
   view.isComplete = true;
   view.refinement.reset();
-  view.begun.clear();
+  view.begun = {};
 }
 
 // Several renderers, and the eyes of a stereo image, are drawn in turn.
@@ -309,8 +309,8 @@ bool LevelOfDetail::MayBeRefined() const
 }
 
 // The first image of a scene is of the coarse level.
-void LevelOfDetail::Refine(DrawnView& view, const std::vector<double>& fingerprint,
-  const LevelInputs& inputs, double tolerance)
+void LevelOfDetail::Refine(
+  DrawnView& view, const Fingerprint& fingerprint, const LevelInputs& inputs, double tolerance)
 {
   if (view.refinement && view.refinement->IsOf(fingerprint))
   {
@@ -346,9 +346,9 @@ Frame LevelOfDetail::RefinedFrame(
   }
   // Other levels make another image, which needs other steps.
   refined.levelRound = refinement.Rounds();
-  if (!refined.accumulation.fingerprint.empty())
+  if (!refined.accumulation.fingerprint.IsEmpty())
   {
-    refined.accumulation.fingerprint.push_back(refined.levelRound);
+    refined.accumulation.fingerprint.Add(refined.levelRound);
   }
   return refined;
 }

@@ -36,8 +36,8 @@ struct DrawnView
   std::size_t lastDrawing = 0;                 ///< the number of the last drawing of the view
   bool isComplete = true;                      ///< false if a further image would be more exact
   std::unique_ptr<LevelRefinement> refinement; ///< null before the first of RefinedLevel
-  std::vector<double> begun; ///< fingerprint of the scene that began with the coarse level
-  bool beginsStill = false;  ///< true until the coarse level of that scene is drawn whole
+  Fingerprint begun;        ///< fingerprint of the scene that began with the coarse level
+  bool beginsStill = false; ///< true until the coarse level of that scene is drawn whole
 };
 
 /// The level of an image.
@@ -100,8 +100,8 @@ private:
   /// The next image of the view is the first one of its scene.
   void ForgetScene(DrawnView& view);
   /// Goes on with the scene of a fingerprint, or begins it.
-  void Refine(DrawnView& view, const std::vector<double>& fingerprint, const LevelInputs& inputs,
-    double tolerance);
+  void Refine(
+    DrawnView& view, const Fingerprint& fingerprint, const LevelInputs& inputs, double tolerance);
   Frame RefinedFrame(
     const LevelRefinement& refinement, const Frame& frame, std::vector<Frame> coarser);
   /// The frames of all levels, from the finest on.

@@ -233,8 +233,8 @@ double BoundOfLevelAlone(const LevelInputs& inputs)
   return LargestOf(bounds);
 }
 
-LevelRefinement::LevelRefinement(std::vector<double> newFingerprint, const LevelInputs& newInputs,
-  const LevelRefinement* sameLooks)
+LevelRefinement::LevelRefinement(
+  Fingerprint newFingerprint, const LevelInputs& newInputs, const LevelRefinement* sameLooks)
   : fingerprint(std::move(newFingerprint))
   , inputs(newInputs)
   , looks(sameLooks ? sameLooks->looks : nullptr)

@@ -23,8 +23,8 @@ struct LevelInputs
   std::vector<MiddleLevel> middle; ///< See BlockLooks.
   VoxelType type;
   TransferFunction look;
-  ValueRange resolved;                   ///< See ScalarTexels.
-  std::vector<double> volumeFingerprint; ///< See VolumeFingerprint.
+  ValueRange resolved;           ///< See ScalarTexels.
+  Fingerprint volumeFingerprint; ///< See VolumeFingerprint.
   PixelRays rays;
   glm::ivec2 pixels;
   glm::dmat3 worldFromGrid;
@@ -70,9 +70,9 @@ public:
   /// @param sameLooks  the refinement of another view whose HasLooksFor(inputs) is true; may be
   /// null
   LevelRefinement(
-    std::vector<double> fingerprint, const LevelInputs& inputs, const LevelRefinement* sameLooks);
+    Fingerprint fingerprint, const LevelInputs& inputs, const LevelRefinement* sameLooks);
 
-  bool IsOf(const std::vector<double>& otherFingerprint) const
+  bool IsOf(const Fingerprint& otherFingerprint) const
   {
     return this->fingerprint == otherFingerprint;
   }
@@ -106,7 +106,7 @@ private:
   /// The aim of the next round.
   RefinementRound NextRound(double tolerance) const;
 
-  std::vector<double> fingerprint;
+  Fingerprint fingerprint;
   LevelInputs inputs;
   std::vector<double> bounds;              ///< The bounds of all pixels, after the first round.
   std::shared_ptr<const BlockLooks> looks; ///< May be null before the first round.

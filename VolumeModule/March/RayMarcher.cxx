@@ -22,18 +22,15 @@ namespace
 {
 
 // The numbers that decide, apart from the look, whether the device can hold volumes that overlap.
-std::vector<double> MemoryInputsOf(const Frame& frame)
+Fingerprint MemoryInputsOf(const Frame& frame)
 {
   const Viewport& pixels = frame.view.viewport;
-  std::vector<double> inputs = { double(frame.device.mostMemoryBytes), double(pixels.width),
-    double(pixels.height) };
+  Fingerprint inputs(frame.device.mostMemoryBytes, pixels.width, pixels.height);
   const auto add = [&](const Frame& one)
   {
-    const glm::ivec3& voxels = one.geometry.dimensions;
-    inputs.insert(inputs.end(),
-      { double(voxels.x), double(voxels.y), double(voxels.z), double(one.voxels.components.size()),
-        double(one.voxels.scalars->GetDataType()), double(one.settings.mask != Mask::None),
-        double(one.settings.cubic), double(one.settings.storedGradients) });
+    inputs.Add(Fingerprint(one.geometry.dimensions, one.voxels.components.size(),
+      one.voxels.scalars->GetDataType(), one.settings.mask != Mask::None, one.settings.cubic,
+      one.settings.storedGradients));
   };
   add(frame);
   std::for_each(frame.others.begin(), frame.others.end(), add);
@@ -57,7 +54,7 @@ void RayMarcher::UpdateResources(const Frame& frame, MarchPlan& plan)
 {
   this->resources.UpdateVoxels(frame);
   const MarchPlan begun = plan;
-  const std::vector<double> memory = MemoryInputsOf(frame);
+  const Fingerprint memory = MemoryInputsOf(frame);
   this->ChooseMarcher(frame, plan, ShouldMarchByPackets(frame) || this->tooLargeBy == memory);
   this->resources.Update(frame, plan, this->MemoryOfImages());
   if (this->resources.IsTooLarge() && this->tooLargeBy != memory)

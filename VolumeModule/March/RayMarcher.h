@@ -148,7 +148,7 @@ private:
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };
-  std::vector<double> tooLargeBy; ///< Inputs of memory that is too small for the volumes.
+  Fingerprint tooLargeBy; ///< Inputs of memory that is too small for the volumes.
   double usedSampleDistanceMm = 0.0;
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;

@@ -10,7 +10,7 @@ void ToleranceSearch::BeginImage(const ToleranceInputs& inputs)
   this->viewRests = inputs.view == this->view;
   this->castersRest = inputs.casters == this->casters;
   this->casters = inputs.casters;
-  const bool areNew = !this->voxels.empty() && inputs.voxels != this->voxels;
+  const bool areNew = !this->voxels.IsEmpty() && inputs.voxels != this->voxels;
   this->isSeries = areNew && this->voxelsWereNew;
   this->voxelsWereNew = areNew;
   this->voxels = inputs.voxels;

@@ -4,8 +4,6 @@
 #include "Frame/FrameMeasures.h"
 #include "Frame/SceneFingerprint.h"
 
-#include <glm/gtc/type_ptr.hpp>
-
 #include <algorithm>
 
 namespace varimarch
@@ -26,42 +24,36 @@ std::vector<std::string> RecipeOf(const Frame& frame)
 }
 
 // The inputs of a volume that the integration rule depends on, besides its recipe and voxels.
-std::vector<double> RuleInputsOf(const VolumeMarch& march)
+Fingerprint RuleInputsOf(const VolumeMarch& march)
 {
-  std::vector<double> inputs = MaterialTableInputs(march.frame.material.property, march.settings);
-  inputs.insert(inputs.end(),
-    { double(march.plan.marcher), double(march.plan.choosesIntegration),
-      double(march.settings.integration), march.plan.budget.StepTolerance(),
-      march.frame.geometry.SmallestSpacingMm() });
-  return inputs;
+  return Fingerprint(MaterialTableInputs(march.frame.material.property, march.settings),
+    march.plan.marcher, march.plan.choosesIntegration, march.settings.integration,
+    march.plan.budget.StepTolerance(), march.frame.geometry.SmallestSpacingMm());
 }
 
 // The inputs of a volume that the image depends on in any view, besides those of the rule.
-std::vector<double> SceneInputsOf(const VolumeMarch& march)
+Fingerprint SceneInputsOf(const VolumeMarch& march)
 {
-  std::vector<double> inputs = march.frame.fingerprint;
-  inputs.insert(inputs.end(),
-    { double(march.plan.viewport.width), double(march.plan.viewport.height),
-      double(march.settings.occlusion), double(march.frame.levelRound),
-      march.frame.image.windowScaleBias.x, march.frame.image.windowScaleBias.y,
-      march.frame.span.firstDistanceMm });
+  const Viewport& pixels = march.plan.viewport;
+  Fingerprint inputs(march.frame.fingerprint, pixels.width, pixels.height, march.settings.occlusion,
+    march.frame.levelRound, march.frame.image.windowScaleBias, march.frame.span.firstDistanceMm,
+    march.frame.quality.variationTolerance);
   // Lights and geometry stay where they are in the world when a volume moves with its view.
-  if (march.settings.shadows)
+  if (march.settings.lights)
   {
-    const glm::dmat4& world = march.frame.geometry.worldFromGrid;
-    inputs.insert(inputs.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
+    inputs.Add(march.frame.geometry.worldFromGrid);
   }
   return inputs;
 }
 
 // The voxels that are drawn, and the values that tables tell apart, which may depend on the look of
 // earlier images.
-std::vector<double> VoxelInputsOf(const VolumeMarch& march, const VolumeResources& volume)
+Fingerprint VoxelInputsOf(const VolumeMarch& march, const VolumeResources& volume)
 {
-  std::vector<double> inputs = VoxelFingerprint(march.frame.voxels);
+  Fingerprint inputs = VoxelFingerprint(march.frame);
   for (const ScalarTexels& texels : volume.Blocks().TexelsOfComponents())
   {
-    inputs.insert(inputs.end(), { texels.resolved.lower, texels.resolved.upper });
+    inputs.Add(Fingerprint(texels.resolved.lower, texels.resolved.upper));
   }
   return inputs;
 }
@@ -84,13 +76,12 @@ bool ToleranceInputs::HasViewNear(const ToleranceInputs& other) const
 
 void ToleranceInputs::Add(const VolumeMarch& march, const VolumeResources& volume)
 {
-  const auto append = [](auto& inputs, const auto& more)
-  { inputs.insert(inputs.end(), more.begin(), more.end()); };
-  append(this->recipe, RecipeOf(march.frame));
-  append(this->rule, RuleInputsOf(march));
-  append(this->voxels, VoxelInputsOf(march, volume));
-  append(this->scene, SceneInputsOf(march));
-  append(this->casters, march.frame.casters.fingerprint);
+  const std::vector<std::string> recipeOfVolume = RecipeOf(march.frame);
+  this->recipe.insert(this->recipe.end(), recipeOfVolume.begin(), recipeOfVolume.end());
+  this->rule.Add(RuleInputsOf(march));
+  this->voxels.Add(VoxelInputsOf(march, volume));
+  this->scene.Add(SceneInputsOf(march));
+  this->casters.Add(march.frame.casters.fingerprint);
   this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
     ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
 }

@@ -14,10 +14,10 @@ namespace varimarch
 struct ToleranceInputs
 {
   std::vector<std::string> recipe; ///< The shader files of the request.
-  std::vector<double> rule;        ///< Other inputs of the choice of the rule, without voxels.
-  std::vector<double> voxels;      ///< The voxels of each volume, and the values told apart.
-  std::vector<double> scene;       ///< Other inputs of the image in any view.
-  std::vector<double> casters;     ///< The geometry that casts shadows on the volumes.
+  Fingerprint rule;                ///< Other inputs of the choice of the rule, without voxels.
+  Fingerprint voxels;              ///< The voxels of each volume, and the values told apart.
+  Fingerprint scene;               ///< Other inputs of the image in any view.
+  Fingerprint casters;             ///< The geometry that casts shadows on the volumes.
   std::vector<CornersClip> view;   ///< The corners of the volumes in the view.
 
   /// Adds the inputs of one volume.

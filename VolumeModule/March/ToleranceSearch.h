@@ -91,9 +91,9 @@ private:
   std::list<ToleranceChoice> remembered; ///< Earlier choices, the last first.
   std::vector<CornersClip> view;         ///< The view of the last image with a tolerance.
   bool viewRests = false;                ///< True if the previous image had the same view.
-  std::vector<double> casters;           ///< The geometry of the last image.
+  Fingerprint casters;                   ///< The geometry of the last image.
   bool castersRest = false;              ///< True if the previous image had the same geometry.
-  std::vector<double> voxels;            ///< The voxels of the last image.
+  Fingerprint voxels;                    ///< The voxels of the last image.
   bool voxelsWereNew = false;            ///< True if they were not those of the image before it.
   bool isSeries = false;                 ///< True if the last two images had new voxels.
   int searches = 0;

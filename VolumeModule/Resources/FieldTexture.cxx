@@ -116,14 +116,11 @@ std::shared_ptr<const BrickRanges> KeptRanges(const VoxelValues& values, std::si
 }
 
 // Everything that the ranges of a component depend on.
-std::vector<double> KeyOfRanges(
-  const VoxelValues& values, const VoxelInput& voxels, std::size_t index)
+Fingerprint KeyOfRanges(const VoxelValues& values, const VoxelInput& voxels, std::size_t index)
 {
   const VoxelComponent& component = values.components[index];
   const ValueRange& resolved = values.texels[index].resolved;
-  return { double(voxels.time), double(reinterpret_cast<std::uintptr_t>(component.array)),
-    double(component.index), double(values.dimensions.x), double(values.dimensions.y),
-    double(values.dimensions.z), resolved.lower, resolved.upper };
+  return Fingerprint(voxels.time, component, values.dimensions, resolved.lower, resolved.upper);
 }
 
 // If a smaller part of the bricks can be skipped, testing bricks costs more than it saves.
@@ -206,7 +203,7 @@ bool AccelerationField::BuildRanges(
   for (std::size_t i = 0; i < values.components.size(); ++i)
   {
     std::shared_ptr<const BrickRanges> ofVoxels = KeptRanges(values, i);
-    const std::vector<double> key = KeyOfRanges(values, voxels, i);
+    const Fingerprint key = KeyOfRanges(values, voxels, i);
     ofVoxels = ofVoxels || values.reachVoxels > 0 ? ofVoxels : this->knownRanges.Find(key);
     if (!ofVoxels)
     {

@@ -104,17 +104,17 @@ void GradientOpacityTable::Update(const VolumeMarch& march, const std::vector<Sc
   }
   std::vector<double> saturated;
   const Curves curves = GradientOpacitiesOf(march.frame.material.property, march.settings);
-  std::vector<double> inputs = { double(march.frame.material.property->GetMTime()) };
+  Fingerprint inputs(march.frame.material.property->GetMTime());
   for (vtkPiecewiseFunction* curve : curves)
   {
-    inputs.push_back(curve ? double(curve->GetMTime()) : 0.0);
+    inputs.Add(Fingerprint(curve, curve ? curve->GetMTime() : 0));
   }
   for (int part = 0; part < PartCount(march.settings); ++part)
   {
     const int component = OpacityComponentOf(march.settings, part);
     saturated.push_back(LargestGradient(texels[component]));
   }
-  inputs.insert(inputs.end(), saturated.begin(), saturated.end());
+  inputs.Add(saturated);
   if (this->source != inputs)
   {
     this->lastGradients = LastGradients(curves, saturated);
@@ -127,7 +127,7 @@ void GradientOpacityTable::Update(const VolumeMarch& march, const std::vector<Sc
 void GradientOpacityTable::Release(vtkWindow* window)
 {
   this->table.Release(window);
-  this->source.clear();
+  this->source = {};
 }
 
 }

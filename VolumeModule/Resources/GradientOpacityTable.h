@@ -33,7 +33,7 @@ public:
 private:
   FloatTable table;
   std::vector<double> lastGradients;
-  std::vector<double> source; ///< The inputs of the table; empty if there is none.
+  Fingerprint source; ///< The inputs of the table; empty if there is none.
 };
 
 }

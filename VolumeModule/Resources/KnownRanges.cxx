@@ -5,7 +5,7 @@
 namespace varimarch
 {
 
-std::shared_ptr<const BrickRanges> KnownRanges::Find(const std::vector<double>& key)
+std::shared_ptr<const BrickRanges> KnownRanges::Find(const Fingerprint& key)
 {
   const auto found = std::find_if(this->entries.begin(), this->entries.end(),
     [&](const Entry& entry) { return entry.key == key; });
@@ -17,8 +17,8 @@ std::shared_ptr<const BrickRanges> KnownRanges::Find(const std::vector<double>& 
   return this->entries.front().ranges;
 }
 
-void KnownRanges::Add(const std::vector<double>& key,
-  const std::shared_ptr<const BrickRanges>& ranges, std::size_t hostBytes)
+void KnownRanges::Add(
+  const Fingerprint& key, const std::shared_ptr<const BrickRanges>& ranges, std::size_t hostBytes)
 {
   constexpr std::size_t PartOfHost = 32;
   const std::size_t mostBytes =

@@ -2,11 +2,11 @@
 #define Varimarch_Resources_KnownRanges_h
 
 #include "Core/Fields/BrickRanges.h"
+#include "Frame/Fingerprint.h"
 
 #include <cstddef>
 #include <list>
 #include <memory>
-#include <vector>
 
 namespace varimarch
 {
@@ -21,16 +21,16 @@ public:
 
   /// @param key  everything that the ranges depend on
   /// @return null if they are not known
-  std::shared_ptr<const BrickRanges> Find(const std::vector<double>& key);
+  std::shared_ptr<const BrickRanges> Find(const Fingerprint& key);
   /// @param hostBytes  memory that the program may use; 0: no limit
-  void Add(const std::vector<double>& key, const std::shared_ptr<const BrickRanges>& ranges,
+  void Add(const Fingerprint& key, const std::shared_ptr<const BrickRanges>& ranges,
     std::size_t hostBytes);
   void Clear() { this->entries.clear(); }
 
 private:
   struct Entry
   {
-    std::vector<double> key;
+    Fingerprint key;
     std::shared_ptr<const BrickRanges> ranges;
   };
 

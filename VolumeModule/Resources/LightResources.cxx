@@ -6,7 +6,6 @@
 
 #include "vtkOpenGLRenderWindow.h"
 
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -62,15 +61,10 @@ double LatticesOfALight(const VolumeMarch& march)
 }
 
 // All inputs of a light's way through the volume, without those of the light itself.
-std::vector<double> InputsOf(const VolumeMarch& march)
+Fingerprint InputsOf(const VolumeMarch& march)
 {
-  std::vector<double> inputs = ExtinctionFingerprint(march.frame);
-  const glm::dmat4& world = march.frame.geometry.worldFromGrid;
-  inputs.insert(inputs.end(), glm::value_ptr(world), glm::value_ptr(world) + 16);
-  inputs.insert(inputs.end(),
-    { double(march.settings.cubic), march.plan.budget.LightError(), LatticesOfALight(march),
-      double(march.settings.acceleration) });
-  return inputs;
+  return Fingerprint(ExtinctionFingerprint(march.frame), march.frame.geometry.worldFromGrid,
+    march.plan.budget.LightError(), LatticesOfALight(march));
 }
 
 }
@@ -125,15 +119,13 @@ void LightResources::KeepLattices(const VolumeMarch& march, std::vector<Kept>& n
 {
   const LightTexels lights = LightTexelsOf(march.frame.view.renderer);
   const int count = std::min(lights.distantCount + lights.nearCount, MostShadowedLights);
-  const std::vector<double> volumeInputs = InputsOf(march);
+  const Fingerprint volumeInputs = InputsOf(march);
   for (int light = 0; light < count; ++light)
   {
     for (std::size_t part = 0; part < this->shadows.size(); ++part)
     {
-      std::vector<double> inputs = volumeInputs;
       const glm::vec4& place = lights.texels[std::size_t(light) * LightTexels::PerLight];
-      inputs.insert(inputs.end(),
-        { place.x, place.y, place.z, place.w, double(light < lights.distantCount), double(part) });
+      Fingerprint inputs(volumeInputs, place, light < lights.distantCount, part);
       PacketShadows& ofPart = this->shadows[part];
       // The mean over the cone of a soft light is of products, and so no product of means.
       if (place.w == 0.0f || LatticesOfALight(march) == 1.0)
@@ -181,9 +173,8 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   }
   this->sky.shape = LightLattice::ShapeOfSky(march.frame.geometry.dimensions);
   this->sky.agreement = SkyAgreement;
-  std::vector<double> inputs = InputsOf(march);
-  inputs.insert(inputs.end(), { strength, march.frame.material.occlusionReachMm });
-  inputs.insert(inputs.end(), march.frame.occluders.begin(), march.frame.occluders.end());
+  Fingerprint inputs(
+    InputsOf(march), strength, march.frame.material.occlusionReachMm, march.frame.occluders);
   this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape, now);
 }
 
@@ -206,7 +197,7 @@ void LightResources::Release(vtkWindow* window)
 
 // The nodes of a lattice that is kept, or of an empty one.
 std::uint8_t* LightResources::KeepNodes(
-  std::vector<double> inputs, const LatticeShape& shape, std::vector<Kept>& now)
+  Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now)
 {
   const auto found = std::find_if(
     this->kept.begin(), this->kept.end(), [&](const Kept& own) { return own.inputs == inputs; });

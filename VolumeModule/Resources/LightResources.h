@@ -49,7 +49,7 @@ private:
   /// The lattice of a light.
   struct Kept
   {
-    std::vector<double> inputs; ///< Everything that its light depends on.
+    Fingerprint inputs; ///< Everything that its light depends on.
     LightLattice lattice;
   };
 
@@ -58,8 +58,7 @@ private:
   void KeepLattices(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateDirections(const VolumeMarch& march);
-  std::uint8_t* KeepNodes(
-    std::vector<double> inputs, const LatticeShape& shape, std::vector<Kept>& now);
+  std::uint8_t* KeepNodes(Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now);
 
   std::vector<Kept> kept;
   int builds = 0;

@@ -67,8 +67,7 @@ void MaterialResources::Update(const VolumeMarch& march, const std::vector<Scala
 void MaterialResources::UpdateOpticalTable(
   const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
 {
-  const std::vector<double> inputs =
-    MaterialTableInputs(march.frame.material.property, march.settings);
+  const Fingerprint inputs = MaterialTableInputs(march.frame.material.property, march.settings);
   if (this->tableOfProperty != march.frame.material.property || this->tableOfTexels != texels ||
     this->tableInputs != inputs)
   {

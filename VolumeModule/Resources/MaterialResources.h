@@ -63,7 +63,7 @@ private:
   int tableBuilds = 0;
   vtkVolumeProperty* tableOfProperty = nullptr;
   std::vector<ScalarTexels> tableOfTexels;
-  std::vector<double> tableInputs;
+  Fingerprint tableInputs;
   bool mergesValues = false;
 
   PreIntegratedTableTexture preIntegratedTable;

@@ -127,33 +127,31 @@ std::vector<MaterialTable> MaterialTablesOf(
   return tables;
 }
 
-std::vector<double> MaterialTableInputs(vtkVolumeProperty* property, const RenderSettings& settings)
+Fingerprint MaterialTableInputs(vtkVolumeProperty* property, const RenderSettings& settings)
 {
-  std::vector<double> inputs = { double(settings.components), double(settings.componentCount) };
+  const bool hasLabels = settings.mask == Mask::Labels;
+  Fingerprint inputs(settings.components, settings.componentCount, settings.functionOf, hasLabels);
   for (int component = 0; component < PartCount(settings); ++component)
   {
-    inputs.push_back(double(TransferFunctionTimeOf(property, component)));
-    inputs.push_back(property->GetScalarOpacityUnitDistance(component));
+    inputs.Add(TransferFunctionInputs(property, component));
   }
-  inputs.push_back(double(settings.functionOf));
-  if (settings.functionOf != FunctionOf::Value || settings.mask == Mask::Labels)
+  if (settings.functionOf != FunctionOf::Value || hasLabels)
   {
-    inputs.push_back(double(property->GetMTime()));
+    inputs.Add(property->GetMTime());
   }
-  if (settings.mask == Mask::Labels)
+  if (hasLabels)
   {
     for (const int label : LabelsOf(property))
     {
       vtkColorTransferFunction* const color = property->GetLabelColor(label);
       vtkPiecewiseFunction* const opacity = property->GetLabelScalarOpacity(label);
-      inputs.insert(inputs.end(),
-        { double(label), color ? double(color->GetMTime()) : 0.0,
-          opacity ? double(opacity->GetMTime()) : 0.0 });
+      inputs.Add(
+        Fingerprint(label, color ? color->GetMTime() : 0, opacity ? opacity->GetMTime() : 0));
     }
   }
   if (settings.functionOf != FunctionOf::Value && property->GetTransferFunction2D())
   {
-    inputs.push_back(double(property->GetTransferFunction2D()->GetMTime()));
+    inputs.Add(property->GetTransferFunction2D()->GetMTime());
   }
   return inputs;
 }

@@ -3,6 +3,7 @@
 
 #include "Core/Look/OpticalTable.h"
 #include "Core/Recipe/RenderSettings.h"
+#include "Frame/Fingerprint.h"
 #include "Frame/VoxelInput.h"
 
 #include <glm/vec2.hpp>
@@ -46,8 +47,7 @@ OpticalTable UpperBound(
   const TwoValueTable& table, const std::array<double, 2>& range, double opacityUnitDistanceMm);
 
 /// Everything that these tables depend on, except the range of the values.
-std::vector<double> MaterialTableInputs(
-  vtkVolumeProperty* property, const RenderSettings& settings);
+Fingerprint MaterialTableInputs(vtkVolumeProperty* property, const RenderSettings& settings);
 
 /// The component that determines the opacity of a part.
 int OpacityComponentOf(const RenderSettings& settings, int part);

@@ -72,14 +72,11 @@ std::vector<OptionalRange> ValuesThatMatter(const Frame& frame)
   }
 }
 
-std::vector<double> ValueInputs(const Frame& frame)
+Fingerprint ValueInputs(const Frame& frame)
 {
-  std::vector<double> inputs = MaterialTableInputs(frame.material.property, frame.settings);
-  inputs.push_back(double(frame.settings.blend));
-  inputs.push_back(double(frame.settings.shading));
-  inputs.insert(inputs.end(), { frame.material.averagedRange[0], frame.material.averagedRange[1] });
-  inputs.insert(inputs.end(), frame.material.isovalues.begin(), frame.material.isovalues.end());
-  return inputs;
+  return Fingerprint(MaterialTableInputs(frame.material.property, frame.settings),
+    frame.settings.blend, frame.settings.shading, frame.material.averagedRange,
+    frame.material.isovalues);
 }
 
 ValueRange NearValues(const ValueRange& all, const OptionalRange& thatMatter)

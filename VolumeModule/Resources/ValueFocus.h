@@ -14,7 +14,7 @@ namespace varimarch
 std::vector<std::optional<ValueRange>> ValuesThatMatter(const Frame& frame);
 
 /// Everything in a frame that these depend on.
-std::vector<double> ValueInputs(const Frame& frame);
+Fingerprint ValueInputs(const Frame& frame);
 
 /// The part of a range that lies within some widths of the values that matter; all of it if no
 /// value does.

@@ -4,6 +4,7 @@
 #include "Core/Look/PreIntegratedTable.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/GrayRange.h"
+#include "Frame/SceneFingerprint.h"
 #include "Readers/MappedScalars.h"
 #include "Resources/FloatFramebuffer.h"
 #include "Resources/ValueFocus.h"
@@ -17,31 +18,28 @@ namespace varimarch
 
 void VolumeResources::UpdateVoxels(const Frame& frame)
 {
-  const VoxelInput& voxels = frame.voxels;
-  this->Blocks().SetBlanking(voxels.blanking);
+  this->Blocks().SetBlanking(frame.voxels.blanking);
   const bool isCubic = frame.settings.cubic;
-  const bool areNew = !(this->voxelsOf == voxels.components && this->voxelsTime == voxels.time &&
-    this->voxelsAreCubic == isCubic);
-  std::vector<double> valueInputs = ValueInputs(frame);
+  const VoxelComponents& components = frame.voxels.components;
+  Fingerprint newVoxels(VoxelFingerprint(frame), isCubic);
+  const bool areNew = this->voxels != newVoxels;
+  Fingerprint valueInputs = ValueInputs(frame);
   if (!areNew && this->valueInputs == valueInputs)
   {
     return;
   }
   if (areNew)
   {
-    this->voxelsOf.clear();
+    this->voxels = {};
     const glm::ivec3 dimensions = frame.geometry.dimensions;
-    this->spline = isCubic ? SplineVolume(voxels.components, dimensions) : SplineVolume();
-    this->allValues = isCubic
-      ? VoxelValues{ this->spline.Components(), dimensions, this->spline.Texels(voxels.components),
-          SplineReachVoxels }
-      : VoxelValues{ voxels.components, dimensions, ScalarTexelsOf(voxels.components) };
+    this->spline = isCubic ? SplineVolume(components, dimensions) : SplineVolume();
+    this->allValues = isCubic ? VoxelValues{ this->spline.Components(), dimensions,
+      this->spline.Texels(components), SplineReachVoxels }
+                              : VoxelValues{ components, dimensions, ScalarTexelsOf(components) };
     this->packets.SetVoxels(this->allValues.components);
   }
   this->SetValues(frame, areNew);
-  this->voxelsOf = voxels.components;
-  this->voxelsTime = voxels.time;
-  this->voxelsAreCubic = isCubic;
+  this->voxels = std::move(newVoxels);
   this->valueInputs = std::move(valueInputs);
 }
 
@@ -202,7 +200,7 @@ void VolumeResources::Release(vtkWindow* window)
   this->spacing.Release(window);
   this->spacingBins = UnevenBins();
   this->spline = SplineVolume();
-  this->voxelsOf.clear();
+  this->voxels = {};
 }
 
 }

@@ -86,13 +86,11 @@ private:
   MemoryElsewhere BesideBlocks(const VolumeMarch& march, const MemoryElsewhere& elsewhere) const;
   std::size_t BytesBesideBlocks() const;
 
-  VoxelComponents voxelsOf; ///< The components of the last update; empty before the first.
-  vtkMTimeType voxelsTime = 0;
-  bool voxelsAreCubic = false;
+  Fingerprint voxels; ///< The voxels of the last update; empty before the first.
   int voxelsBuild = 0;
-  SplineVolume spline;             ///< Empty without cubic interpolation.
-  VoxelValues allValues;           ///< The voxels in the format in which all their values matter.
-  std::vector<double> valueInputs; ///< The inputs of the values that matter now.
+  SplineVolume spline;     ///< Empty without cubic interpolation.
+  VoxelValues allValues;   ///< The voxels in the format in which all their values matter.
+  Fingerprint valueInputs; ///< The inputs of the values that matter now.
 
   VolumeDivision division;
   MaterialResources materials;

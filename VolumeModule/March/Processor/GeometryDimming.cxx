@@ -12,6 +12,7 @@
 #include "vtkRenderer.h"
 
 #include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <tbb/parallel_for.h>
@@ -50,19 +51,16 @@ std::vector<glm::vec4> PlacesOf(const Frame& frame, const ReceivedLight& receive
 // All that the factors of an image depend on that is accumulated; empty for another image, and for
 // overlapping volumes, of which the fingerprint has the first only. VTK's highlights depend on the
 // place of the eye in a parallel projection too.
-std::vector<double> InputsOf(const Frame& frame, const MarchPlan& plan)
+Fingerprint InputsOf(const Frame& frame, const MarchPlan& plan)
 {
-  std::vector<double> inputs =
-    frame.others.empty() ? frame.accumulation.fingerprint : std::vector<double>();
-  if (!inputs.empty())
+  const Fingerprint& image = frame.accumulation.fingerprint;
+  if (image.IsEmpty() || !frame.others.empty())
   {
-    const double* const eye = frame.view.renderer->GetActiveCamera()->GetPosition();
-    inputs.insert(inputs.end(), eye, eye + 3);
-    inputs.insert(inputs.end(),
-      { plan.sampleDistanceMm, double(plan.marcher), double(plan.isInteractive),
-        double(frame.casters.shadowing), double(frame.casters.lieBehindTranslucent) });
+    return {};
   }
-  return inputs;
+  const double* const eye = frame.view.renderer->GetActiveCamera()->GetPosition();
+  return Fingerprint(image, glm::make_vec3(eye), plan.sampleDistanceMm, plan.marcher,
+    plan.isInteractive, frame.casters.shadowing, frame.casters.lieBehindTranslucent);
 }
 
 // While somebody interacts, a square of pixels has as many rays of the volume as places.
@@ -191,8 +189,8 @@ std::vector<std::vector<float>> GeometryDimming::LightByShader(
 
 void GeometryDimming::Dim(const Frame& frame, const MarchPlan& plan)
 {
-  const std::vector<double> inputs = InputsOf(frame, plan);
-  if (inputs.empty() || inputs != this->keptFor)
+  const Fingerprint inputs = InputsOf(frame, plan);
+  if (inputs.IsEmpty() || inputs != this->keptFor)
   {
     ReceivedLight received;
     if (frame.casters.shadowing == Shadowing::OneVolume)
@@ -266,7 +264,7 @@ std::vector<std::vector<float>> GeometryDimming::LightOn(
 
 void GeometryDimming::Draw(const Frame& frame, const MarchPlan& plan, const ReceivedLight& received)
 {
-  this->keptFor.clear();
+  this->keptFor = {};
   this->TakeFactors(frame, plan, received);
   this->DrawFactors(frame, plan);
 }
@@ -343,7 +341,7 @@ void GeometryDimming::Release(vtkWindow* window)
   this->translucent.Release(window);
   this->light.Release(window);
   this->factors.clear();
-  this->keptFor.clear();
+  this->keptFor = {};
 }
 
 }

@@ -86,7 +86,7 @@ private:
   FloatFramebuffer light{ 2 };    ///< The light on places, by a shader.
   Box cover = {};                 ///< A box in the grid that covers all pixels with factors.
   std::vector<glm::vec4> factors; ///< The factors in the image, if there is translucent geometry.
-  std::vector<double> keptFor;    ///< All that the factors depend on; empty if they are not kept.
+  Fingerprint keptFor;            ///< All that the factors depend on; empty if they are not kept.
   int tracings = 0;
 };
 
