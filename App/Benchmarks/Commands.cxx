@@ -3,6 +3,7 @@
 #include "BenchMethods.h"
 #include "CommandLine/Parser.h"
 #include "FeatureList.h"
+#include "Promise/PromiseCommand.h"
 #include "Scene/SceneNames.h"
 #include "SoakBench.h"
 
@@ -279,8 +280,7 @@ void AddExtremesCommand(CLI::App& program, const std::string& commandText)
   CLI::App* app = program.add_subcommand(
     "extremes", "Measure errors and times of stiff and extreme scenes, in our mapper and in VTK's");
   app->footer("Writes extremes.md and .csv after each scene.\n"
-              "Example:\n"
-              "  varimarch-bench extremes -o extremes");
+              "Example:\n  varimarch-bench extremes -o extremes");
   app->add_option("-o,--output", arguments->outputFolder, "The folder for the report")
     ->type_name("FOLDER")
     ->required();
@@ -297,8 +297,7 @@ void AddOrderCommand(CLI::App& program, const std::string& commandText)
   CLI::App* app = program.add_subcommand(
     "order", "Measure orders of convergence under refinement of steps, grid and pixels");
   app->footer("Writes order.md, .csv and .json, and a plot of each experiment as PNG and SVG.\n"
-              "Example:\n"
-              "  varimarch-bench order -o order");
+              "Example:\n  varimarch-bench order -o order");
   AddReportOptions(*app, arguments->report);
   app
     ->add_option(
@@ -395,6 +394,7 @@ void AddCommands(CLI::App& program, const std::string& commandText)
   AddReferencesCommand(program);
   AddSoakCommand(program, commandText);
   AddTimesCommand(program, commandText);
+  AddPromiseCommand(program, commandText);
 }
 
 }

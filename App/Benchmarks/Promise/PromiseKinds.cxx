@@ -1,0 +1,47 @@
+#include "PromiseKinds.h"
+
+namespace varimarch
+{
+
+const std::vector<PromiseKind>& PromiseKinds()
+{
+  static const std::vector<PromiseKind> kinds = []
+  {
+    std::vector<PromiseKind> all;
+    for (auto* const make : { MatterPromiseKinds, FeaturePromiseKinds, EditPromiseKinds,
+           ShadowPromiseKinds, LightPromiseKinds, OcclusionPromiseKinds })
+    {
+      const std::vector<PromiseKind> some = make();
+      all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+  }();
+  return kinds;
+}
+
+const std::vector<std::string>& PromiseKindsUnderWork()
+{
+  static const std::vector<std::string> kinds = {
+    // Gradients that are rounding noise in even matter are lit as surfaces.
+    "head-light",
+    "lamps",
+    // Light where matter changes within a voxel.
+    "shadow-along-sheet",
+    "shadow-bands",
+    "soft-bands",
+    "scattering-bands",
+    "occlusion",
+    "occlusion-noise",
+    "occlusion-walls",
+    "occlusion-bands",
+    "occlusion-sheets",
+    "occlusion-nearest",
+    "occlusion-unlit",
+    "occlusion-shadows",
+    "occlusion-pet-over-ct",
+    "occlusion-edits",
+  };
+  return kinds;
+}
+
+}
