@@ -1,6 +1,7 @@
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "Frame/FrameBuilder.h"
+#include "Frame/NumberCheck.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
 #include "Frame/ShadowCuller.h"
@@ -14,7 +15,6 @@
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
-#include "vtkIndent.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLError.h"
@@ -25,6 +25,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -139,6 +140,13 @@ void vtkVariationFieldVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* vol
   Internals::Draw(this, renderer, volume);
 }
 
+double* vtkVariationFieldVolumeMapper::GetBounds()
+{
+  double* const bounds = this->Superclass::GetBounds();
+  const auto isFinite = [](double place) { return std::isfinite(place); };
+  return std::all_of(bounds, bounds + 6, isFinite) ? bounds : nullptr;
+}
+
 void vtkVariationFieldVolumeMapper::LockSampleDistance()
 {
   auto* image = vtkImageData::SafeDownCast(this->GetInput());
@@ -179,8 +187,10 @@ void vtkVariationFieldVolumeMapper::DrawFrame(vtkRenderer* renderer, vtkVolume* 
     varimarch::CheckForGraphicsReset();
     selected.ReportCounts(this->GetDataSetInput());
     vtkOpenGLCheckErrorMacro("OpenGL error after drawing");
+    this->WarnOnce(varimarch::Joined(frame->replacedNumbers), this->Private->ReportedNumbers);
     this->WarnOnce(varimarch::MissingFeatures(this, volume) +
-      varimarch::AccuracyWarnings(this, *this->Private->Last));
+        varimarch::AccuracyWarnings(this, *this->Private->Last),
+      this->Private->ReportedWarning);
     onDisk.Check();
   }
 }
@@ -194,11 +204,11 @@ void vtkVariationFieldVolumeMapper::ReportOnce(const std::string& problem)
   }
 }
 
-void vtkVariationFieldVolumeMapper::WarnOnce(const std::string& warning)
+void vtkVariationFieldVolumeMapper::WarnOnce(const std::string& warning, std::string& reported)
 {
-  if (this->Private->ReportedWarning != warning)
+  if (reported != warning)
   {
-    this->Private->ReportedWarning = warning;
+    reported = warning;
     if (!warning.empty())
     {
       vtkWarningMacro(<< warning);
@@ -379,22 +389,4 @@ int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInforma
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   return 1;
-}
-
-void vtkVariationFieldVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "DrawFetchCounts: " << this->DrawFetchCounts << "\n";
-  os << indent << "LevelOfDetail: " << this->LevelOfDetail << "\n";
-  os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << "\n";
-  os << indent << "MaximumGraphicsMemory: " << this->MaximumGraphicsMemory << "\n";
-  os << indent << "LightMemoryBytes: " << this->GetLightMemoryBytes() << "\n";
-  os << indent << "UsedImageSampleDistance: " << this->GetUsedImageSampleDistance() << "\n";
-  os << indent << "RenderToImage: " << this->RenderToImage << "\n";
-  os << indent << "DepthImageScalarType: " << this->DepthImageScalarType << "\n";
-  os << indent << "ClampDepthToBackface: " << this->ClampDepthToBackface << "\n";
-  os << indent << "FinalColorWindow: " << this->FinalColorWindow << "\n";
-  os << indent << "FinalColorLevel: " << this->FinalColorLevel << "\n";
-  os << indent << "UsedSampleDistance: " << this->GetUsedSampleDistance() << "\n";
-  os << indent << "EstimatedError: " << this->GetEstimatedError() << "\n";
 }

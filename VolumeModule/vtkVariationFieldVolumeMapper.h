@@ -80,6 +80,12 @@
  * with CubicInterpolation; rectilinear grids with isosurfaces, blanking, masks or
  * CubicInterpolation.
  *
+ * Numbers without a meaning are replaced, and a warning names them once: NaN, which VTK's setters
+ * accept, by the default of the setting, and a number out of its range by the nearest one, in
+ * lights, the property and the mapper. A lamp without a finite place and a plane without a finite
+ * normal are left out. A volume, a camera, an isovalue or a transfer function that is not finite,
+ * and a matrix without an inverse, are reported as errors, and nothing is drawn.
+ *
  * How rays sample the volume is set by the methods of vtkSampledVolumeMapper, light, masks and
  * values that are missing by those of vtkMaterialVolumeMapper.
  *
@@ -321,6 +327,13 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
+  using vtkMaterialVolumeMapper::GetBounds;
+  /**
+   * The bounds of the input; null if they are not finite, so that VTK does not leave the volume out
+   * without a word.
+   */
+  double* GetBounds() override;
+
 protected:
   vtkVariationFieldVolumeMapper();
   ~vtkVariationFieldVolumeMapper() override;
@@ -346,7 +359,7 @@ protected:
 private:
   void LockSampleDistance();
   void ReportOnce(const std::string& problem);
-  void WarnOnce(const std::string& warning);
+  void WarnOnce(const std::string& warning, std::string& reported);
 
   friend class varimarch::SharedSearch;
   struct Internals;

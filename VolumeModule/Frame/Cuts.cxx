@@ -1,11 +1,14 @@
 #include "Frame/Cuts.h"
 
+#include "Frame/NumberCheck.h"
+
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkVolumeMapper.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -58,25 +61,54 @@ void Cut(Cuts& cuts, const glm::dvec4& planeGrid)
   upper = planeGrid[*axis] < 0.0 ? std::min(upper, place) : upper;
 }
 
-std::vector<glm::dvec4> PlanesInGrid(vtkPlaneCollection* planes, const glm::dmat4& worldFromGrid)
+bool IsPlane(const glm::dvec4& plane)
+{
+  const double sum = plane.x + plane.y + plane.z + plane.w;
+  return std::isfinite(sum) && glm::dvec3(plane) != glm::dvec3(0.0);
+}
+
+std::vector<glm::dvec4> PlanesInGrid(
+  vtkPlaneCollection* planes, const glm::dmat4& worldFromGrid, NumberCheck& check)
 {
   std::vector<glm::dvec4> planesGrid;
   vtkCollectionSimpleIterator iterator;
   planes->InitTraversal(iterator);
   while (vtkPlane* plane = planes->GetNextPlane(iterator))
   {
-    const double* normal = plane->GetNormal();
-    const double* origin = plane->GetOrigin();
-    const glm::dvec3 normalWorld(normal[0], normal[1], normal[2]);
-    const double offset = -glm::dot(normalWorld, { origin[0], origin[1], origin[2] });
-    planesGrid.push_back(PlaneInGrid({ normalWorld, offset }, worldFromGrid));
+    const glm::dvec3 normalWorld = glm::make_vec3(plane->GetNormal());
+    const glm::dvec3 originWorld = glm::make_vec3(plane->GetOrigin());
+    const glm::dvec4 planeGrid =
+      PlaneInGrid({ normalWorld, -glm::dot(normalWorld, originWorld) }, worldFromGrid);
+    if (IsPlane(planeGrid))
+    {
+      planesGrid.push_back(planeGrid);
+      continue;
+    }
+    check.Note("Cannot cut by a vtkPlane with the normal " + TextOf(normalWorld) +
+      " and the origin " + TextOf(originWorld) +
+      ": expected finite numbers, and a normal other than 0. It is left out; set other numbers.");
   }
   return planesGrid;
 }
 
-void Crop(Cuts& cuts, vtkVolumeMapper* mapper, const glm::dmat4& dataFromGrid)
+// The places of the six planes. One that is NaN or infinite lies beyond all volumes.
+std::array<double, 6> CroppingPlacesOf(vtkVolumeMapper* mapper, NumberCheck& check)
 {
-  const double* places = mapper->GetCroppingRegionPlanes();
+  std::array<double, 6> places;
+  for (int plane = 0; plane < 6; ++plane)
+  {
+    const double beyond = plane % 2 == 0 ? -LargestSetting : LargestSetting;
+    const double place = mapper->GetCroppingRegionPlanes()[plane];
+    places[plane] =
+      check.Usable({ "SetCroppingRegionPlanes", -LargestSetting, LargestSetting, beyond },
+        std::isinf(place) ? std::copysign(LargestSetting, place) : place);
+  }
+  return places;
+}
+
+void Crop(Cuts& cuts, vtkVolumeMapper* mapper, const glm::dmat4& dataFromGrid, NumberCheck& check)
+{
+  const std::array<double, 6> places = CroppingPlacesOf(mapper, check);
   CroppingRegions regions{ {}, mapper->GetCroppingRegionFlags() & AllRegions };
   bool isEmpty = regions.drawn == 0;
   for (int plane = 0; plane < 6; ++plane)
@@ -106,19 +138,20 @@ void Crop(Cuts& cuts, vtkVolumeMapper* mapper, const glm::dmat4& dataFromGrid)
 
 }
 
-Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes)
+Cuts CutsOf(
+  vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes, NumberCheck& check)
 {
   Cuts cuts{ geometry.boxGrid, {}, {} };
   if (vtkPlaneCollection* planes = mapper->GetClippingPlanes())
   {
-    for (const glm::dvec4& plane : PlanesInGrid(planes, geometry.worldFromGrid))
+    for (const glm::dvec4& plane : PlanesInGrid(planes, geometry.worldFromGrid, check))
     {
       keepPlanes ? cuts.planesGrid.push_back(plane) : Cut(cuts, plane);
     }
   }
   if (mapper->GetCropping())
   {
-    Crop(cuts, mapper, geometry.dataFromGrid);
+    Crop(cuts, mapper, geometry.dataFromGrid, check);
   }
   return cuts;
 }

@@ -15,6 +15,8 @@ class vtkVolumeMapper;
 namespace varimarch
 {
 
+class NumberCheck;
+
 /// Cropping by flags: six planes divide the volume into 27 regions, some of which are drawn.
 struct CroppingRegions
 {
@@ -49,8 +51,10 @@ inline auto FieldsOf(const Cuts& cuts)
 
 /// The cuts of a mapper. Clipping planes are in world space, cropping planes in data coordinates:
 /// these have the image's origin, spacing and direction, but not the volume's matrix.
+/// Planes without a place cut nothing.
 /// @param keepPlanes  true if clipping planes along the axes of the grid stay planes
-Cuts CutsOf(vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes);
+Cuts CutsOf(
+  vtkVolumeMapper* mapper, const VolumeGeometry& geometry, bool keepPlanes, NumberCheck& check);
 
 }
 

@@ -6,6 +6,7 @@
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/Cuts.h"
 #include "Frame/Fingerprint.h"
+#include "Frame/Lights.h"
 #include "Frame/RequestedPass.h"
 #include "Frame/ShadowCasters.h"
 #include "Frame/SliceSurface.h"
@@ -19,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -42,9 +44,14 @@ struct FrameView
 struct MaterialRequest
 {
   vtkVolumeProperty* property = nullptr;
-  double labelBlend = 0.0;       ///< The weight of the functions of labels, [0, 1].
-  std::vector<double> isovalues; ///< The values of isosurfaces, ascending.
-  int surfaceComponent = 0;      ///< The component of the array that has the isosurfaces.
+  /// The coefficients of ambient, diffuse and specular light and the specular power of each
+  /// component.
+  std::array<glm::dvec4, 4> reflectances = {};
+  std::array<double, 4> weights = {}; ///< The weights of independent components, [0, 1].
+  double clippedScalar = 0.0;         ///< The scalar beyond clipping planes that are surfaces.
+  double labelBlend = 0.0;            ///< The weight of the functions of labels, [0, 1].
+  std::vector<double> isovalues;      ///< The values of isosurfaces, ascending.
+  int surfaceComponent = 0;           ///< The component of the array that has the isosurfaces.
   /// The gradient below which shading fades [units of data per mean spacing].
   double dampingGradient = 0.0;
   double scatteredPart = 0.0; ///< The part of the light that matter scatters, [0, 1].
@@ -120,6 +127,7 @@ struct Frame
   Cuts cuts;
   RenderSettings settings; ///< The part of the recipe that the request determines.
   MaterialRequest material;
+  SceneLights lights;
   ShadowCasters casters; ///< Only with shadows.
   QualityRequest quality;
   SpanRequest span;
@@ -128,6 +136,8 @@ struct Frame
   RequestedPass pass;
   UserShaderCode userCode;
   DeviceRequest device;
+  /// Sentences for the user about numbers of the scene that have no meaning and were replaced.
+  std::vector<std::string> replacedNumbers;
   Fingerprint fingerprint; ///< See VolumeFingerprint.
   /// Everything in the volumes that overlap, this one among them, that ambient occlusion depends
   /// on; empty without.

@@ -2,19 +2,19 @@
 
 #include "Core/Look/OpticalTable.h"
 #include "Frame/ImageSettings.h"
-#include "Frame/Lights.h"
 #include "Frame/MapperInput.h"
+#include "Frame/MapperNumbers.h"
 #include "Frame/MaterialChoices.h"
+#include "Frame/NumberCheck.h"
 #include "Frame/OverlappingVolumes.h"
 #include "Frame/QualityChoices.h"
+#include "Frame/SurfaceChoices.h"
 #include "Frame/UserShaderCode.h"
 #include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
-#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkImplicitFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPropCollection.h"
@@ -24,9 +24,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <set>
+#include <array>
 #include <stdexcept>
 
 namespace varimarch
@@ -106,10 +104,9 @@ Acceleration AccelerationOf(int accelerationMode, const RenderSettings& settings
 }
 
 // The homogeneous material of a transfer function with one node.
-glm::dvec4 GapOptical(const double color[3], double opacity, double unitDistanceMm)
+glm::dvec4 GapOptical(const glm::dvec3& color, double opacity, double unitDistanceMm)
 {
-  const TransferFunction material(
-    { { 0.0, { color[0], color[1], color[2] } } }, { { 0.0, opacity } }, unitDistanceMm);
+  const TransferFunction material({ { 0.0, color } }, { { 0.0, opacity } }, unitDistanceMm);
   const double extinction = std::min(material.Extinction(0.0), double(OpaqueExtinction));
   return glm::dvec4(material.Color(0.0), extinction);
 }
@@ -120,34 +117,36 @@ bool HasComponents(vtkVariationFieldVolumeMapper* mapper, int port)
   return input && input->scalars->GetNumberOfComponents() > 1;
 }
 
-RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
-  vtkVolumeProperty* property, vtkDataArray* scalars)
+// Requires the view, the voxels, the property and the lights.
+RenderSettings SettingsOf(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, const Frame& frame)
 {
+  vtkVolumeProperty* const property = frame.material.property;
   RenderSettings settings;
   settings.blend = BlendOf(mapper->GetBlendMode());
   settings.nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   settings.cubic = mapper->GetCubicInterpolation() != 0 && !settings.nearest;
-  ChooseMaterial(mapper, property, scalars, settings);
+  ChooseMaterial(mapper, property, frame.voxels.scalars, settings);
   settings.fromBehind = settings.blend == Blend::Composite && !settings.nearest &&
     mapper->GetCompositingOrder() == vtkVariationFieldVolumeMapper::BackToFront;
   settings.acceleration = AccelerationOf(mapper->GetAccelerationMode(), settings);
   settings.shading = property->GetShade() != 0 && !IsProjection(settings.blend);
-  settings.scattering = settings.shading && settings.blend == Blend::Composite &&
-    mapper->GetVolumetricScatteringBlending() > 0.0;
-  settings.lights = settings.shading && (settings.scattering || !HasHeadLightOnly(renderer));
-  const bool dimsScattered = settings.scattering && mapper->GetGlobalIlluminationReach() > 0.0;
-  const bool hasShadows = mapper->GetShadows() != 0 && mapper->GetShadowStrength() > 0.0;
+  settings.scattering =
+    settings.shading && settings.blend == Blend::Composite && numbers.scatteringBlending > 0.0;
+  settings.lights = settings.shading && (settings.scattering || !frame.lights.AreUsual());
+  const bool dimsScattered = settings.scattering && numbers.illuminationReach > 0.0;
+  const bool hasShadows = mapper->GetShadows() != 0 && numbers.shadowStrength > 0.0;
   const bool dims =
     settings.lights && settings.blend == Blend::Composite && (hasShadows || dimsScattered);
-  const LightTexels dimmed = dims ? LightTexelsOf(renderer) : LightTexels();
-  settings.shadows = dimmed.distantCount + dimmed.nearCount > 0;
-  settings.softLights = RaysToLights(dimmed) > dimmed.distantCount + dimmed.nearCount;
-  settings.occlusion = settings.blend == Blend::Composite && mapper->GetAmbientOcclusion() > 0.0;
-  settings.damping = settings.shading && settings.components == Components::One &&
-    mapper->GetDampingGradient() > 0.0;
+  const LightTexels dimmed = dims ? frame.lights.lamps : LightTexels();
+  settings.shadows = dimmed.Count() > 0;
+  settings.softLights = RaysToLights(dimmed) > dimmed.Count();
+  settings.occlusion = settings.blend == Blend::Composite && numbers.occlusion > 0.0;
+  settings.damping =
+    settings.shading && settings.components == Components::One && numbers.dampingGradient > 0.0;
   settings.countFetches = mapper->GetDrawFetchCounts();
-  settings.sceneGeometry = HasOpaqueGeometry(renderer);
-  settings.fillGaps = mapper->GetNanOpacity() > 0.0;
+  settings.sceneGeometry = HasOpaqueGeometry(frame.view.renderer);
+  settings.fillGaps = numbers.nanOpacity > 0.0;
   return settings;
 }
 
@@ -157,48 +156,12 @@ vtkUnsignedCharArray* FlagsIn(vtkUnsignedCharArray* flags)
   return flags && flags->GetNumberOfTuples() > 0 && flags->GetRange()[1] > 0.0 ? flags : nullptr;
 }
 
-// The finite isovalues, ascending and without duplicates.
-std::vector<double> IsovaluesOf(vtkVolumeProperty* property)
-{
-  vtkContourValues* const contours = property->GetIsoSurfaceValues();
-  const double* const values = contours->GetValues();
-  std::set<double> isovalues;
-  std::copy_if(values, values + contours->GetNumberOfContours(),
-    std::inserter(isovalues, isovalues.end()), [](double value) { return std::isfinite(value); });
-  return { isovalues.begin(), isovalues.end() };
-}
-
-// Chooses the surfaces of a frame. Returns false if there are none.
-bool ChooseSurfaces(Frame& frame)
-{
-  if (frame.settings.blend == Blend::Isosurface)
-  {
-    ChooseSurfaceComponent(frame);
-    if (frame.settings.cubic)
-    {
-      throw std::runtime_error("Isosurfaces of cubic interpolation are not supported");
-    }
-    frame.material.isovalues = IsovaluesOf(frame.material.property);
-    return !frame.material.isovalues.empty();
-  }
-  if (frame.settings.blend == Blend::Slice)
-  {
-    vtkImplicitFunction* const function = frame.material.property->GetSliceFunction();
-    frame.material.slice = function ? SliceSurfaceOf(function, frame.geometry) : SliceSurface();
-    // A slice in a face of the volume counts as inside despite rounding.
-    constexpr double ReachVoxels = 3e-4;
-    frame.geometry.boxGrid.lower -= ReachVoxels;
-    frame.geometry.boxGrid.upper += ReachVoxels;
-    return function != nullptr;
-  }
-  return true;
-}
-
 // Chooses the positions of the voxels, and the blanked ones.
 void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
 {
   frame.voxels.axes = input.Axes(frame.settings.nearest);
   frame.geometry = input.Geometry(volume, frame.voxels.axes);
+  CheckPlaces(frame.geometry);
   frame.voxels.blanking = { FlagsIn(input.data->GetPointGhostArray()),
     FlagsIn(input.data->GetCellGhostArray()), input.PointCount(), input.place,
     frame.settings.nearest };
@@ -229,11 +192,11 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
   }
 }
 
-void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, NumberCheck& check, Frame& frame)
 {
   const bool seesCuts = frame.material.property->GetUseClippedVoxelIntensity() != 0 &&
     frame.settings.components == Components::One;
-  frame.cuts = CutsOf(mapper, frame.geometry, seesCuts);
+  frame.cuts = CutsOf(mapper, frame.geometry, seesCuts, check);
   frame.settings.clipping = !frame.cuts.planesGrid.empty();
   frame.settings.clippedGradients = seesCuts && frame.settings.clipping;
   frame.settings.cropping = frame.cuts.regions.has_value();
@@ -251,10 +214,10 @@ void ChooseCasters(
 }
 
 // Rays through scalars that do not count in an average must be sampled, although invisible.
-void ChooseAveraged(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void ChooseAveraged(const MapperNumbers& numbers, Frame& frame)
 {
-  const double* averaged = mapper->GetAverageIPScalarRange();
-  frame.material.averagedRange = { averaged[0], averaged[1] };
+  const std::array<double, 2>& averaged = numbers.averagedRange;
+  frame.material.averagedRange = averaged;
   if (frame.settings.blend != Blend::AverageIntensity)
   {
     return;
@@ -285,6 +248,15 @@ std::string MissingNewFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume*
   return missing;
 }
 
+DeviceRequest DeviceOf(vtkVariationFieldVolumeMapper* mapper)
+{
+  DeviceRequest device;
+  device.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
+  device.mostHostBytes = std::size_t(mapper->GetMaximumHostMemory());
+  device.mayMarchOnProcessor = mapper->GetProcessorMarching() != 0;
+  return device;
+}
+
 // Builds the frame of one volume of a prop. A prop with one volume is that volume itself.
 std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   vtkRenderer* renderer, vtkVolume* prop, const VolumeOfPort& one, vtkImageData* instead)
@@ -301,32 +273,33 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   {
     return std::nullopt;
   }
+  NumberCheck check;
+  const MapperNumbers numbers = MapperNumbersOf(mapper, check);
   Frame frame = {};
-  frame.view.window = window;
-  frame.view.renderer = renderer;
-  frame.material.property = volume->GetProperty();
+  frame.view = { window, renderer, prop, viewport };
   frame.voxels.scalars = input->scalars;
   frame.voxels.time = input->Time();
-  frame.view.viewport = viewport;
-  frame.settings = SettingsOf(mapper, renderer, frame.material.property, input->scalars);
+  TakeProperty(volume->GetProperty(), check, frame.material);
+  frame.lights = LightsOf(renderer, check);
+  frame.settings = SettingsOf(mapper, numbers, frame);
   ChoosePlaces(*input, volume, frame);
+  CheckView(renderer);
   ChooseVoxels(mapper, input->data, frame);
   if (!ChooseSurfaces(frame))
   {
     return std::nullopt;
   }
-  ChooseLight(mapper, frame);
+  ChooseLight(mapper, numbers, frame);
   ChooseCasters(mapper, renderer, prop, frame);
-  ChooseCuts(mapper, frame);
-  ChooseAveraged(mapper, frame);
-  frame.material.gapOptical = GapOptical(mapper->GetNanColor(), mapper->GetNanOpacity(),
-    frame.material.property->GetScalarOpacityUnitDistance());
-  frame.device.mayMarchOnProcessor = mapper->GetProcessorMarching() != 0;
-  frame.device.mostMemoryBytes = std::size_t(mapper->GetMaximumGraphicsMemory());
-  frame.device.mostHostBytes = std::size_t(mapper->GetMaximumHostMemory());
-  ApplyImageSettings(mapper, renderer, prop, frame);
-  ChooseQuality(mapper, frame);
-  ChooseSpan(mapper, frame);
+  ChooseCuts(mapper, check, frame);
+  ChooseAveraged(numbers, frame);
+  frame.material.gapOptical = GapOptical(
+    numbers.nanColor, numbers.nanOpacity, frame.material.property->GetScalarOpacityUnitDistance());
+  frame.device = DeviceOf(mapper);
+  ApplyImageSettings(mapper, numbers, frame);
+  ChooseQuality(mapper, numbers, frame);
+  ChooseSpan(mapper, numbers, frame);
+  frame.replacedNumbers = check.Notes();
   return frame;
 }
 
@@ -385,6 +358,10 @@ std::string UnsupportedFeature(
   try
   {
     BuildFrame(mapper, renderer, volume);
+  }
+  catch (const std::invalid_argument&)
+  {
+    return {}; // No mapper can draw numbers without a meaning, and this one says which they are.
   }
   catch (const std::exception& problem)
   {

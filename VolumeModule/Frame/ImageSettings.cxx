@@ -1,5 +1,6 @@
 #include "Frame/ImageSettings.h"
 
+#include "Frame/MapperNumbers.h"
 #include "Frame/SceneFingerprint.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
@@ -24,40 +25,37 @@ glm::dvec2 WindowScaleBias(double window, double level)
 
 // An observer of the shader may set uniforms that are not part of the fingerprint, so nothing is
 // accumulated then.
-void ChooseAccumulation(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void ChooseAccumulation(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
 {
   const bool shaderIsObserved = mapper->HasObserver(vtkCommand::UpdateShaderEvent) != 0;
   const int most = mapper->GetMaximumAccumulatedPictures();
-  if (!shaderIsObserved && (most > 1 || mapper->GetLongestPartSeconds() > 0.0))
+  if (!shaderIsObserved && (most > 1 || numbers.longestPartSeconds > 0.0))
   {
-    frame.accumulation = { most, mapper->GetLongestPartSeconds(), ImageFingerprint(mapper, frame) };
+    frame.accumulation = { most, numbers.longestPartSeconds, ImageFingerprint(mapper, frame) };
   }
 }
 
 }
 
 void ApplyImageSettings(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, Frame& frame)
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
 {
-  const double window = mapper->GetFinalColorWindow();
-  const double level = mapper->GetFinalColorLevel();
-  frame.settings.windowLevel = window != 1.0 || level != 0.5;
+  frame.settings.windowLevel = numbers.window != 1.0 || numbers.level != 0.5;
   frame.settings.jitter = mapper->GetUseJittering() != 0 && IsSampled(frame.settings);
-  frame.view.prop = volume;
-  frame.userCode = UserShaderCodeOf(volume);
-  frame.pass = PassOfVolume(mapper, renderer, volume);
+  frame.userCode = UserShaderCodeOf(frame.view.prop);
+  frame.pass = PassOfVolume(mapper, frame.view.renderer, frame.view.prop);
   frame.settings.pass = frame.pass.kind;
 
-  const double shortest = mapper->GetMinimumImageSampleDistance();
-  frame.image.windowScaleBias = WindowScaleBias(window, level);
-  frame.image.sampleDistance = mapper->GetImageSampleDistance();
-  frame.image.interactiveSampleDistances = { shortest,
-    std::max<double>(shortest, mapper->GetMaximumImageSampleDistance()) };
+  const auto& [shortest, longest] = numbers.interactiveSampleDistances;
+  frame.image.windowScaleBias = WindowScaleBias(numbers.window, numbers.level);
+  frame.image.sampleDistance = numbers.imageSampleDistance;
+  frame.image.interactiveSampleDistances = { shortest, std::max(shortest, longest) };
   frame.image.toImages = mapper->GetRenderToImage() != 0 && frame.pass.kind == RayPass::Whole;
   frame.image.clampDepth = mapper->GetClampDepthToBackface() != 0;
 
   frame.fingerprint = VolumeFingerprint(frame);
-  ChooseAccumulation(mapper, frame);
+  ChooseAccumulation(mapper, numbers, frame);
   if (Peels(frame.pass.kind))
   {
     // The pass has its own framebuffer, and has the depth of opaque geometry.

@@ -8,10 +8,12 @@ class vtkVariationFieldVolumeMapper;
 namespace varimarch
 {
 
+struct MapperNumbers;
+
 /// Takes the settings of the image from a mapper: window and level, the distance between rays and
-/// their jitter, the requested pass, accumulation, and the user's shader code.
+/// their jitter, the requested pass, accumulation, and the user's shader code. Requires the view.
 void ApplyImageSettings(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume, Frame& frame);
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame);
 
 }
 

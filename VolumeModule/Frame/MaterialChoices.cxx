@@ -1,6 +1,8 @@
 #include "Frame/MaterialChoices.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/MapperNumbers.h"
+#include "Frame/NumberCheck.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
@@ -12,6 +14,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -124,19 +127,20 @@ bool HasGradientOpacity(vtkVolumeProperty* property, const RenderSettings& setti
 }
 
 // VTK's blending depends on its steps. In the limit of short ones it is this part.
-void ChooseScattering(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void ChooseScattering(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
 {
   constexpr double MostAnisotropy = 0.99; // its phase function still has a density
   MaterialRequest& material = frame.material;
-  material.surfacesInShadow = mapper->GetShadows() ? mapper->GetShadowStrength() : 0.0;
+  material.surfacesInShadow = mapper->GetShadows() ? numbers.shadowStrength : 0.0;
   material.shadowReachMm = ShadowReachMm(
-    material.surfacesInShadow > 0.0 ? 1.0 : mapper->GetGlobalIlluminationReach(), frame.geometry);
+    material.surfacesInShadow > 0.0 ? 1.0 : numbers.illuminationReach, frame.geometry);
   if (frame.settings.scattering)
   {
-    material.scatteredPart = std::min(mapper->GetVolumetricScatteringBlending(), 1.0);
-    const double own = mapper->GetScatteringAnisotropy();
-    material.anisotropy = std::clamp(own != 0.0 ? own : ScatteringAnisotropyOf(material.property),
-      -MostAnisotropy, MostAnisotropy);
+    material.scatteredPart = std::min(numbers.scatteringBlending, 1.0);
+    const double own = numbers.scatteringAnisotropy;
+    material.anisotropy =
+      std::clamp(own != 0.0 ? own : material.anisotropy, -MostAnisotropy, MostAnisotropy);
   }
 }
 
@@ -179,16 +183,44 @@ void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame
   {
     frame.voxels.mask = MaskVoxelsOf(mapper, frame.material.property);
   }
-  frame.material.labelBlend = mapper->GetMaskBlendFactor();
 }
 
-void ChooseLight(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void TakeProperty(vtkVolumeProperty* property, NumberCheck& check, MaterialRequest& material)
 {
-  frame.material.dampingGradient = mapper->GetDampingGradient();
-  ChooseScattering(mapper, frame);
-  frame.material.occlusion = mapper->GetAmbientOcclusion();
-  frame.material.occlusionReachMm =
-    OcclusionReachMm(mapper->GetAmbientOcclusionReach(), frame.geometry);
+  material.property = property;
+  constexpr double Most = 1e6; // products of these and of lights are floats
+  // A power of 0 would have no value where no light is mirrored.
+  constexpr double LeastPower = 1e-6;
+  const auto usable = [&](const char* setter, double usual, double found) {
+    return check.Usable({ setter, -Most, Most, usual }, found);
+  };
+  for (int i = 0; i < int(material.reflectances.size()); ++i)
+  {
+    const double power = check.Usable(
+      { "vtkVolumeProperty::SetSpecularPower", 0.0, Most, 10.0 }, property->GetSpecularPower(i));
+    material.reflectances[i] = { usable(
+                                   "vtkVolumeProperty::SetAmbient", 0.1, property->GetAmbient(i)),
+      usable("vtkVolumeProperty::SetDiffuse", 0.7, property->GetDiffuse(i)),
+      usable("vtkVolumeProperty::SetSpecular", 0.2, property->GetSpecular(i)),
+      std::max(power, LeastPower) };
+    material.weights[i] = check.Usable(
+      { "vtkVolumeProperty::SetComponentWeight", 0.0, 1.0, 1.0 }, property->GetComponentWeight(i));
+  }
+  constexpr double Largest = std::numeric_limits<double>::max();
+  material.clippedScalar =
+    check.Usable({ "vtkVolumeProperty::SetClippedVoxelIntensity", -Largest, Largest, -Largest },
+      property->GetClippedVoxelIntensity());
+  material.anisotropy = check.Usable(
+    { "vtkVolumeProperty::SetScatteringAnisotropy", -1.0, 1.0 }, ScatteringAnisotropyOf(property));
+}
+
+void ChooseLight(vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
+{
+  frame.material.labelBlend = numbers.maskBlendFactor;
+  frame.material.dampingGradient = numbers.dampingGradient;
+  ChooseScattering(mapper, numbers, frame);
+  frame.material.occlusion = numbers.occlusion;
+  frame.material.occlusionReachMm = OcclusionReachMm(numbers.occlusionReachMm, frame.geometry);
   frame.material.occluderVoxelMm = frame.geometry.SmallestSpacingMm();
   frame.material.occludersMm = frame.geometry.DiagonalMm();
 }
@@ -206,8 +238,7 @@ void ChooseSurfaceComponent(Frame& frame)
   }
   for (int component = 1; component < frame.settings.componentCount; ++component)
   {
-    if (frame.material.property->GetComponentWeight(component) >
-      frame.material.property->GetComponentWeight(frame.material.surfaceComponent))
+    if (frame.material.weights[component] > frame.material.weights[frame.material.surfaceComponent])
     {
       frame.material.surfaceComponent = component;
     }

@@ -11,6 +11,9 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
+class NumberCheck;
+struct MapperNumbers;
+
 /// Chooses the settings that depend on components, transfer functions and mask. Requires the blend
 /// mode.
 /// @throws std::runtime_error with a sentence for the user, if the components cannot be drawn
@@ -21,8 +24,11 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
 /// @throws std::runtime_error with a sentence for the user, if one of them is missing
 void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame);
 
+/// Takes the numbers of a property.
+void TakeProperty(vtkVolumeProperty* property, NumberCheck& check, MaterialRequest& material);
+
 /// Chooses how matter takes light, scatters it and reflects it. Requires settings and geometry.
-void ChooseLight(vtkVariationFieldVolumeMapper* mapper, Frame& frame);
+void ChooseLight(vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame);
 
 /// Chooses the component of isosurfaces: as in VTK, the first one with the largest weight.
 /// @throws std::runtime_error with a sentence for the user, if the components depend on each other

@@ -1,12 +1,14 @@
 #include "Frame/OverlappingVolumes.h"
 
 #include "Frame/FrameMeasures.h"
+#include "Frame/NumberCheck.h"
 #include "Frame/SceneFingerprint.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkMultiVolume.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -123,7 +125,8 @@ void ShareLight(std::vector<Frame>& frames)
 // The planes of all volumes, which must not reduce the box of one.
 void KeepPlanes(Frame& frame, vtkVariationFieldVolumeMapper* mapper)
 {
-  frame.cuts = CutsOf(mapper, frame.geometry, true);
+  NumberCheck known; // the volume has told of its planes already
+  frame.cuts = CutsOf(mapper, frame.geometry, true, known);
   frame.settings.clipping = !frame.cuts.planesGrid.empty();
 }
 
@@ -138,6 +141,11 @@ void JoinTo(Frame& first, Frame other)
     other.settings.clipping = false;
   }
   other.settings.jitter = false;
+  std::copy_if(other.replacedNumbers.begin(), other.replacedNumbers.end(),
+    std::back_inserter(first.replacedNumbers),
+    [&](const std::string& sentence) {
+      return std::count(first.replacedNumbers.begin(), first.replacedNumbers.end(), sentence) == 0;
+    });
   first.settings.others.push_back(other.settings);
   first.others.push_back(std::move(other));
 }

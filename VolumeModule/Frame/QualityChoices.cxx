@@ -1,6 +1,7 @@
 #include "Frame/QualityChoices.h"
 
 #include "Core/Recipe/MaterialRecipe.h"
+#include "Frame/MapperNumbers.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 namespace varimarch
@@ -42,10 +43,11 @@ double AutomaticSamplesPerVoxel(const RenderSettings& settings)
 }
 
 // Only an image with a tolerance has a budget; if the user sets the sample distance, it has none.
-ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+ErrorBudget BudgetOf(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, const Frame& frame)
 {
   ErrorBudget budget;
-  budget.tolerance = mapper->GetAutoAdjustSampleDistances() ? mapper->GetErrorTolerance() : 0.0;
+  budget.tolerance = mapper->GetAutoAdjustSampleDistances() ? numbers.errorTolerance : 0.0;
   budget.windowScale = frame.image.windowScaleBias.x;
   budget.isExtreme = IsExtreme(frame.settings.blend);
   // Boxes are marched from face to face, but light is sampled in them.
@@ -55,28 +57,30 @@ ErrorBudget BudgetOf(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
 }
 
 // The sample distance that the user sets.
-double ChosenSampleDistanceMm(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)
+double ChosenSampleDistanceMm(const MapperNumbers& numbers, const Frame& frame)
 {
-  const double voxels = mapper->GetSampleDistanceInVoxels();
-  return voxels > 0.0 ? voxels * frame.geometry.SmallestSpacingMm() : mapper->GetSampleDistance();
+  return numbers.sampleDistanceInVoxels > 0.0
+    ? numbers.sampleDistanceInVoxels * frame.geometry.SmallestSpacingMm()
+    : numbers.sampleDistanceMm;
 }
 
 }
 
-void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void ChooseQuality(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
 {
   QualityRequest& quality = frame.quality;
-  quality.budget = BudgetOf(mapper, frame);
+  quality.budget = BudgetOf(mapper, numbers, frame);
   quality.choosesIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
     frame.settings.blend == Blend::Composite && IsSampled(frame.settings) &&
     !frame.settings.fromBehind;
-  quality.variationTolerance = mapper->GetVariationTolerance();
+  quality.variationTolerance = numbers.variationTolerance;
   quality.earlyTerminationTransmittance =
-    quality.budget.EarlyTermination(mapper->GetEarlyTerminationTransmittance());
+    quality.budget.EarlyTermination(numbers.earlyTerminationTransmittance);
   quality.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
     ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
-    : ChosenSampleDistanceMm(mapper, frame);
+    : ChosenSampleDistanceMm(numbers, frame);
   frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule(), frame.settings);
   if (quality.choosesIntegration && MarchesMaterial(frame.settings) &&
     quality.budget.StepTolerance() == 0.0)
@@ -87,9 +91,9 @@ void ChooseQuality(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
 }
 
 // A number of steps has a meaning only if these are of known length.
-void ChooseSpan(vtkVariationFieldVolumeMapper* mapper, Frame& frame)
+void ChooseSpan(vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
 {
-  frame.span.firstDistanceMm = mapper->GetFirstDistance();
+  frame.span.firstDistanceMm = numbers.firstDistanceMm;
   frame.span.mostSteps =
     mapper->GetAutoAdjustSampleDistances() ? 0 : mapper->GetMaximumNumberOfSteps();
   frame.settings.limitsSpan = frame.span.firstDistanceMm > 0.0 || frame.span.mostSteps > 0;

@@ -1,7 +1,6 @@
 #include "Frame/SceneFingerprint.h"
 
 #include "Frame/Frame.h"
-#include "Frame/Lights.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Frame/VolumeGeometry.h"
 #include "vtkVariationFieldVolumeMapper.h"
@@ -53,13 +52,14 @@ struct MaterialNumbers
 // All are named, so that a new one has to be sorted.
 MaterialNumbers NumbersOf(const MaterialRequest& material)
 {
-  const auto& [property, labelBlend, isovalues, surfaceComponent, dampingGradient, scatteredPart,
-    anisotropy, surfacesInShadow, shadowReachMm, occlusion, occlusionReachMm, occluderVoxelMm,
-    occludersMm, slice, averagedRange, gapOptical] = material;
+  const auto& [property, reflectances, weights, clippedScalar, labelBlend, isovalues,
+    surfaceComponent, dampingGradient, scatteredPart, anisotropy, surfacesInShadow, shadowReachMm,
+    occlusion, occlusionReachMm, occluderVoxelMm, occludersMm, slice, averagedRange, gapOptical] =
+    material;
   return { Fingerprint(property, labelBlend, gapOptical.a),
-    Fingerprint(isovalues, surfaceComponent, dampingGradient, scatteredPart, anisotropy,
-      surfacesInShadow, shadowReachMm, occlusion, occlusionReachMm, occluderVoxelMm, occludersMm,
-      slice, averagedRange, glm::dvec3(gapOptical)) };
+    Fingerprint(reflectances, weights, clippedScalar, isovalues, surfaceComponent, dampingGradient,
+      scatteredPart, anisotropy, surfacesInShadow, shadowReachMm, occlusion, occlusionReachMm,
+      occluderVoxelMm, occludersMm, slice, averagedRange, glm::dvec3(gapOptical)) };
 }
 
 // The lights, if anything is lit.
@@ -69,10 +69,9 @@ Fingerprint LightsOf(const Frame& frame)
   {
     return {};
   }
-  vtkRenderer* const renderer = frame.view.renderer;
-  const HeadLightColors head = HeadLightColorsOf(renderer);
-  return Fingerprint(renderer->GetTwoSidedLighting(), head.diffuse, head.specular,
-    AmbientLightOf(renderer), LightTexelsOf(renderer).texels);
+  const SceneLights& lights = frame.lights;
+  return Fingerprint(lights.areTwoSided, lights.head.diffuse, lights.head.specular, lights.ambient,
+    lights.lamps.texels);
 }
 
 Fingerprint ViewOf(const Frame& frame)

@@ -107,7 +107,12 @@ SliceSurface SliceSurfaceOf(vtkImplicitFunction* function, const VolumeGeometry&
   const BoxFunction boxFunction(function, geometry.worldFromGrid * gridFromBox);
   glm::dmat4 matrix = MatrixOf(boxFunction);
   const double largest = LargestEntry(matrix);
-  if (!std::isfinite(largest) || !IsAsTheFunction(matrix, boxFunction, rounding * largest))
+  if (!IsFinite(matrix))
+  {
+    throw std::invalid_argument(std::string("Cannot draw a slice by ") + function->GetClassName() +
+      ", whose values in the volume are not finite: expected finite numbers; set other ones");
+  }
+  if (!IsAsTheFunction(matrix, boxFunction, rounding * largest))
   {
     throw std::runtime_error(std::string("Slices by ") + function->GetClassName() +
       " are not supported: expected a function of second degree, such as vtkPlane, vtkSphere, "

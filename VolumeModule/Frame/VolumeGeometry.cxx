@@ -1,5 +1,7 @@
 #include "Frame/VolumeGeometry.h"
 
+#include "Frame/NumberCheck.h"
+
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -18,9 +20,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 namespace varimarch
 {
+
+bool IsFinite(const glm::dmat4& matrix)
+{
+  const double* const numbers = glm::value_ptr(matrix);
+  return std::all_of(numbers, numbers + 16, [](double number) { return std::isfinite(number); });
+}
 
 namespace
 {
@@ -30,6 +40,32 @@ glm::dvec3 GradientFactors(glm::dvec3 spacing)
 {
   const glm::dvec3 absolute = glm::abs(spacing);
   return (absolute.x + absolute.y + absolute.z) / 3.0 / (2.0 * absolute);
+}
+
+glm::dvec3 ColumnLengths(const glm::dmat4& matrix)
+{
+  const glm::dmat3 axes(matrix);
+  return { glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]) };
+}
+
+// True if floats can hold the axes of a matrix and their products, and these span a space.
+bool HasThickness(const glm::dmat4& matrix)
+{
+  constexpr double Shortest = 1e-15;
+  constexpr double Longest = 1e15;
+  constexpr double LeastSine = 1e-9;
+  const glm::dvec3 lengths = ColumnLengths(matrix);
+  const double volume = lengths.x * lengths.y * lengths.z;
+  return IsFinite(matrix) && std::min({ lengths.x, lengths.y, lengths.z }) >= Shortest &&
+    std::max({ lengths.x, lengths.y, lengths.z }) <= Longest &&
+    std::abs(glm::determinant(glm::dmat3(matrix))) > LeastSine * volume;
+}
+
+// The distances between voxels along the axes, as text.
+std::string LengthsOf(const glm::dmat4& matrix)
+{
+  const glm::dvec3 lengths = ColumnLengths(matrix);
+  return TextOf(lengths.x) + " x " + TextOf(lengths.y) + " x " + TextOf(lengths.z);
 }
 
 }
@@ -128,6 +164,43 @@ double OcclusionReachMm(double chosenMm, const VolumeGeometry& geometry)
 {
   constexpr double UsualVoxels = 16.0;
   return chosenMm > 0.0 ? chosenMm : UsualVoxels * geometry.SmallestSpacingMm();
+}
+
+void CheckPlaces(const VolumeGeometry& geometry)
+{
+  if (!HasThickness(geometry.dataFromGrid))
+  {
+    throw std::invalid_argument("Cannot draw a volume whose voxels lie " +
+      LengthsOf(geometry.dataFromGrid) + " apart, from " +
+      TextOf(glm::dvec3(geometry.dataFromGrid[3])) +
+      " on: expected finite numbers other than 0; set the spacing, origin and direction of the "
+      "image");
+  }
+  if (!HasThickness(geometry.worldFromGrid))
+  {
+    throw std::invalid_argument("Cannot draw a volume whose matrix makes its voxels lie " +
+      LengthsOf(geometry.worldFromGrid) + " apart, from " +
+      TextOf(glm::dvec3(geometry.worldFromGrid[3])) +
+      " on: expected a matrix of finite numbers that has an inverse; set the position, "
+      "orientation, "
+      "scale and user matrix of the vtkVolume");
+  }
+}
+
+void CheckView(vtkRenderer* renderer)
+{
+  const glm::dmat4 clipFromWorld = ClipFromWorld(renderer);
+  if (!IsFinite(clipFromWorld) || !IsFinite(glm::inverse(clipFromWorld)))
+  {
+    glm::dvec3 eyeWorld;
+    glm::dvec3 focusWorld;
+    renderer->GetActiveCamera()->GetPosition(glm::value_ptr(eyeWorld));
+    renderer->GetActiveCamera()->GetFocalPoint(glm::value_ptr(focusWorld));
+    throw std::invalid_argument("Cannot draw the view of a camera at " + TextOf(eyeWorld) +
+      " that looks at " + TextOf(focusWorld) +
+      ": expected finite numbers that make a view; set its position, focal point, view up, angle, "
+      "parallel scale and clipping range");
+  }
 }
 
 glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from)

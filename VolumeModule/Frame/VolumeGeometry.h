@@ -73,6 +73,17 @@ VARIMARCHVOLUME_EXPORT double OcclusionReachMm(double chosenMm, const VolumeGeom
 /// @param part  as vtkGPUVolumeRayCastMapper::GlobalIlluminationReach: 0: none; 1: infinite
 VARIMARCHVOLUME_EXPORT double ShadowReachMm(double part, const VolumeGeometry& geometry);
 
+/// Checks that a volume has a place in the world and a thickness along each axis.
+/// @throws std::invalid_argument with a sentence for the user, if it has none
+void CheckPlaces(const VolumeGeometry& geometry);
+
+/// Checks that a camera sees the world.
+/// @throws std::invalid_argument with a sentence for the user, if it does not
+void CheckView(vtkRenderer* renderer);
+
+/// True if none of a matrix's numbers is NaN or infinite.
+bool IsFinite(const glm::dmat4& matrix);
+
 /// The transform from the grid of one volume to that of another.
 glm::dmat4 GridFromGrid(const VolumeGeometry& to, const VolumeGeometry& from);
 

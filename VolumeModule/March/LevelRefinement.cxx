@@ -4,7 +4,6 @@
 #include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Look/OpticalTable.h"
 #include "Core/Packets/PacketScene.h"
-#include "Frame/Lights.h"
 #include "Readers/MappedMemory.h"
 #include "Readers/MappedScalars.h"
 #include "Readers/VoxelLayout.h"
@@ -53,19 +52,18 @@ double LitBy(const glm::dvec4& reflectance, const glm::vec4* texels)
 // It is infinite for a lamp that is brighter the nearer it is, without a limit.
 double LitByAllLights(const Frame& frame)
 {
-  vtkRenderer* const renderer = frame.view.renderer;
-  auto [diffuse, specular] = HeadLightColorsOf(renderer);
-  const LightTexels lamps = LightTexelsOf(renderer);
-  for (int lamp = 0; lamp < lamps.distantCount + lamps.nearCount; ++lamp)
+  auto [diffuse, specular] = frame.lights.head;
+  const LightTexels& lamps = frame.lights.lamps;
+  for (int lamp = 0; lamp < lamps.Count(); ++lamp)
   {
     const glm::vec4* const texel = &lamps.texels[std::size_t(lamp) * LightTexels::PerLight];
     const double strength = lamp < lamps.distantCount ? 1.0 : 1.0 / double(texel[3].x);
     diffuse += strength * glm::dvec3(texel[1]);
     specular += strength * glm::dvec3(texel[2]);
   }
-  const glm::dvec4 reflectance = ReflectanceOf(frame.material.property, 0);
+  const glm::dvec4& reflectance = frame.material.reflectances.front();
   const glm::dvec3 lit =
-    reflectance.x * AmbientLightOf(renderer) + reflectance.y * diffuse + reflectance.z * specular;
+    reflectance.x * frame.lights.ambient + reflectance.y * diffuse + reflectance.z * specular;
   return std::max({ 1.0, lit.x, lit.y, lit.z });
 }
 
@@ -80,8 +78,7 @@ std::optional<double> BrightestOf(const Frame& frame)
 
 int ShadowedCount(const Frame& frame, const LightTexels& lamps)
 {
-  return frame.settings.shadows ? std::min(lamps.distantCount + lamps.nearCount, MostShadowedLights)
-                                : 0;
+  return frame.settings.shadows ? std::min(lamps.Count(), MostShadowedLights) : 0;
 }
 
 const glm::vec4* TexelsOf(const LightTexels& lamps, int lamp)
@@ -92,7 +89,7 @@ const glm::vec4* TexelsOf(const LightTexels& lamps, int lamp)
 // A light from infinity that casts shadows, one with a cone as all of its directions.
 void AddDistant(const Frame& frame, const glm::vec4* texels, std::vector<LevelLight>& lights)
 {
-  const glm::dvec4 reflectance = ReflectanceOf(frame.material.property, 0);
+  const glm::dvec4& reflectance = frame.material.reflectances.front();
   const glm::dmat3 gridFromWorld = glm::inverse(frame.geometry.WorldFromGridDirection());
   const glm::dvec3 towards(texels[0]);
   const double strength = frame.material.surfacesInShadow * LitBy(reflectance, texels);
@@ -112,7 +109,7 @@ void AddDistant(const Frame& frame, const glm::vec4* texels, std::vector<LevelLi
 // A lamp near the volume that casts sharp shadows, where it is brightest.
 void AddNear(const Frame& frame, const glm::vec4* texels, std::vector<LevelLight>& lights)
 {
-  const glm::dvec4 reflectance = ReflectanceOf(frame.material.property, 0);
+  const glm::dvec4& reflectance = frame.material.reflectances.front();
   const double strength =
     frame.material.surfacesInShadow * LitBy(reflectance, texels) / double(texels[3].x);
   const glm::dmat4 worldFromGrid(frame.geometry.worldFromGrid);
@@ -139,7 +136,7 @@ void AddSky(const Frame& frame, double brightest, std::vector<LevelLight>& light
 // Everything that matter may keep from a place.
 std::vector<LevelLight> DimmedLightsOf(const Frame& frame, double brightest)
 {
-  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  const LightTexels& lamps = frame.lights.lamps;
   std::vector<LevelLight> lights;
   for (int lamp = 0; lamp < ShadowedCount(frame, lamps); ++lamp)
   {
@@ -155,7 +152,7 @@ std::vector<LevelLight> DimmedLightsOf(const Frame& frame, double brightest)
 
 bool HasSoftLamps(const Frame& frame)
 {
-  const LightTexels lamps = LightTexelsOf(frame.view.renderer);
+  const LightTexels& lamps = frame.lights.lamps;
   bool isSoft = false;
   for (int lamp = lamps.distantCount; lamp < ShadowedCount(frame, lamps); ++lamp)
   {

@@ -64,6 +64,7 @@ struct vtkVariationFieldVolumeMapper::Internals
 
   std::string ReportedError; ///< the last error that was reported, so that it is not repeated
   std::string ReportedWarning;
+  std::string ReportedNumbers; ///< the last sentences about replaced numbers
   varimarch::InteractiveQuality Quality;
   bool LastHasBuilt = false; ///< True if the last image while a user interacts built resources.
 

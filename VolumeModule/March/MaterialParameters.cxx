@@ -1,7 +1,6 @@
 #include "March/MaterialParameters.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/Lights.h"
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
@@ -57,11 +56,12 @@ void SetVisibleOfComponents(
 
 void SetColors(VolumeParameters& p, const VolumeMarch& march, const Mappings& mappings)
 {
+  constexpr double Most = 1e30; // a float
   const double largest = LargestColorOf(march.frame.voxels.components);
   for (int i = 0; i < 3; ++i)
   {
-    p.colorScale[i] = float(mappings[i].scale / largest);
-    p.colorBias[i] = float(mappings[i].offset / largest);
+    p.colorScale[i] = float(std::min(mappings[i].scale / largest, Most));
+    p.colorBias[i] = float(std::clamp(mappings[i].offset / largest, -Most, Most));
   }
 }
 
@@ -80,9 +80,8 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
 {
   const double texelsPerScalar = mappings.front().scale / volume.Blocks().Texels().mapping.scale;
   p.worldFromGradient = march.frame.geometry.WorldFromGridNormal() * texelsPerScalar;
-  const HeadLightColors light = HeadLightColorsOf(march.frame.view.renderer);
-  p.diffuseLight = light.diffuse;
-  p.specularLight = light.specular;
+  p.diffuseLight = march.frame.lights.head.diffuse;
+  p.specularLight = march.frame.lights.head.specular;
   constexpr double Undamped = 1e8;
   constexpr double Most = 1e30;
   p.labelGradient = float(std::min(Undamped / texelsPerScalar, Most));
@@ -93,18 +92,18 @@ void SetLights(VolumeParameters& p, const VolumeMarch& march, const VolumeResour
   }
   if (march.settings.lights)
   {
-    p.ambientLight = AmbientLightOf(march.frame.view.renderer);
+    p.ambientLight = march.frame.lights.ambient;
     p.scatteredPart = float(march.frame.material.scatteredPart);
     p.anisotropy = float(march.frame.material.anisotropy);
     p.surfacesInShadow = float(march.frame.material.surfacesInShadow);
-    p.backsLit = march.frame.view.renderer->GetTwoSidedLighting() ? 1.0f : 0.0f;
+    p.backsLit = march.frame.lights.areTwoSided ? 1.0f : 0.0f;
   }
 }
 
 // The lights to which rays go through the volume.
 void SetLamps(VolumeParameters& p, const VolumeMarch& march)
 {
-  const LightTexels lamps = LightTexelsOf(march.frame.view.renderer);
+  const LightTexels& lamps = march.frame.lights.lamps;
   p.distantCount = lamps.distantCount;
   p.nearCount = lamps.nearCount;
   p.originInCasters =
@@ -117,6 +116,13 @@ void SetLamps(VolumeParameters& p, const VolumeMarch& march)
 glm::vec4 EmissionOf(const glm::vec4& entry)
 {
   return { entry.w * glm::vec3(entry), entry.w };
+}
+
+// The weight of a part's extinction in the mixture.
+double WeightOf(const VolumeMarch& march, int part)
+{
+  const bool isWeighted = march.settings.components == Components::Independent;
+  return isWeighted ? march.frame.material.weights[part] : 1.0;
 }
 
 void SetGradientOpacity(VolumeParameters& p, const VolumeMarch& march,
@@ -174,8 +180,7 @@ void SetMaterials(VolumeParameters& p, const VolumeMarch& march, const VolumeRes
   const Mappings& mappings)
 {
   p.spacingFactors = march.frame.geometry.gradientFactors;
-  p.clippedScalar = float(
-    mappings.front().LimitedTexelOf(march.frame.material.property->GetClippedVoxelIntensity()));
+  p.clippedScalar = float(mappings.front().LimitedTexelOf(march.frame.material.clippedScalar));
   p.materialCount = PartCount(march.settings);
   p.isosurfaceCount = int(march.frame.material.isovalues.size());
   p.opacityUnitDistancesMm = glm::vec4(1.0f);
@@ -184,13 +189,12 @@ void SetMaterials(VolumeParameters& p, const VolumeMarch& march, const VolumeRes
   {
     p.opacityUnitDistancesMm[part] =
       float(march.frame.material.property->GetScalarOpacityUnitDistance(part));
-    p.partWeights[part] = float(WeightOf(march.frame.material.property, march.settings, part));
-    p.reflectances[part] = ReflectanceOf(march.frame.material.property, part);
+    p.partWeights[part] = float(WeightOf(march, part));
+    p.reflectances[part] = march.frame.material.reflectances[part];
   }
   if (march.settings.blend == Blend::Isosurface)
   {
-    p.reflectances[0] =
-      ReflectanceOf(march.frame.material.property, march.frame.material.surfaceComponent);
+    p.reflectances[0] = march.frame.material.reflectances[march.frame.material.surfaceComponent];
   }
   if (march.settings.shading)
   {

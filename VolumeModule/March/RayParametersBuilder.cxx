@@ -3,7 +3,6 @@
 #include "Core/Geometry/PixelRays.h"
 #include "Core/Geometry/ProjectedBox.h"
 #include "Frame/FrameMeasures.h"
-#include "Frame/Lights.h"
 #include "March/Processor/SoftwareRasterizer.h"
 #include "March/SkyParameters.h"
 #include "Resources/BlueNoiseTexture.h"
@@ -144,7 +143,7 @@ double ShortestShadowStepMm(const VolumeMarch& march)
     return 0.0;
   }
   constexpr double IterationsPerSegment = 2.0;
-  const double rays = RaysToLights(LightTexelsOf(march.frame.view.renderer));
+  const double rays = RaysToLights(march.frame.lights.lamps);
   return LongestRayMm(march.frame) *
     std::sqrt(IterationsPerSegment * rays / MostIterationsOfLight(march.settings));
 }

@@ -1,7 +1,6 @@
 #include "Resources/LightResources.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/Lights.h"
 #include "Frame/SceneFingerprint.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -117,8 +116,8 @@ void LightResources::UpdateShadows(
 
 void LightResources::KeepLattices(const VolumeMarch& march, std::vector<Kept>& now)
 {
-  const LightTexels lights = LightTexelsOf(march.frame.view.renderer);
-  const int count = std::min(lights.distantCount + lights.nearCount, MostShadowedLights);
+  const LightTexels& lights = march.frame.lights.lamps;
+  const int count = std::min(lights.Count(), MostShadowedLights);
   const Fingerprint volumeInputs = InputsOf(march);
   for (int light = 0; light < count; ++light)
   {

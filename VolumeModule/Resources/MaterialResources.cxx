@@ -1,7 +1,6 @@
 #include "Resources/MaterialResources.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/Lights.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Resources/ValueFocus.h"
 
@@ -171,9 +170,8 @@ void MaterialResources::UpdatePreIntegrated(const VolumeMarch& march)
 void MaterialResources::UpdateLights(const VolumeMarch& march)
 {
   this->lights.Set(march.frame.view.window,
-    march.settings.lights || march.settings.shadowsOthers
-      ? LightTexelsOf(march.frame.view.renderer).texels
-      : std::vector<glm::vec4>());
+    march.settings.lights || march.settings.shadowsOthers ? march.frame.lights.lamps.texels
+                                                          : std::vector<glm::vec4>());
   this->lights.Update(march.frame.view.window, march.plan.marcher);
 }
 

@@ -169,11 +169,6 @@ int OpacityComponentOf(const RenderSettings& settings, int part)
   }
 }
 
-double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part)
-{
-  return settings.components == Components::Independent ? property->GetComponentWeight(part) : 1.0;
-}
-
 double LargestColorOf(const VoxelComponents& components)
 {
   vtkDataArray* const array = components.front().array;
@@ -188,12 +183,6 @@ double LargestColorOf(const VoxelComponents& components)
     default:
       return 255.0;
   }
-}
-
-glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component)
-{
-  return { property->GetAmbient(component), property->GetDiffuse(component),
-    property->GetSpecular(component), property->GetSpecularPower(component) };
 }
 
 }

@@ -52,15 +52,9 @@ Fingerprint MaterialTableInputs(vtkVolumeProperty* property, const RenderSetting
 /// The component that determines the opacity of a part.
 int OpacityComponentOf(const RenderSettings& settings, int part);
 
-/// The weight of a part's extinction in the mixture.
-double WeightOf(vtkVolumeProperty* property, const RenderSettings& settings, int part);
-
 /// The value of full brightness, by VTK's convention for arrays of colours; 255 for floats that
 /// exceed 1.
 double LargestColorOf(const VoxelComponents& components);
-
-/// Coefficients of ambient, diffuse and specular light, and the specular power.
-glm::dvec4 ReflectanceOf(vtkVolumeProperty* property, int component);
 
 }
 

@@ -29,14 +29,17 @@ TexelMapping NormalizedMapping(double smallest, double largest)
   return { steps / std::floor(steps / difference), smallest };
 }
 
+// A table tells apart what is far narrower than the range of the scalars, and no narrower than
+// SmallestDifference.
 void CheckDifference(const ScalarTexels& texels)
 {
+  constexpr double Smallest = 1e10 * SmallestDifference;
   const double difference = texels.largestScalar - texels.smallestScalar;
-  if (0.0 < difference && difference < SmallestDifference)
+  if (0.0 < difference && difference < Smallest)
   {
     std::ostringstream message;
     message << "Cannot draw scalars that differ by at most " << difference << ": expected "
-            << SmallestDifference << " or more; multiply them by a large number";
+            << Smallest << " or more; multiply them by a large number";
     throw std::runtime_error(message.str());
   }
 }

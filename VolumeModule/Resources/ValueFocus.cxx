@@ -4,6 +4,8 @@
 #include "Resources/MaterialTables.h"
 
 #include <algorithm>
+#include <sstream>
+#include <stdexcept>
 
 namespace varimarch
 {
@@ -77,6 +79,21 @@ Fingerprint ValueInputs(const Frame& frame)
   return Fingerprint(MaterialTableInputs(frame.material.property, frame.settings),
     frame.settings.blend, frame.settings.shading, frame.material.averagedRange,
     frame.material.isovalues);
+}
+
+void CheckReach(const ScalarTexels& texels, const OptionalRange& thatMatter)
+{
+  const bool reach = thatMatter &&
+    ((texels.smallestScalar <= -LargestNumber && thatMatter->lower <= -LargestNumber) ||
+      (texels.largestScalar >= LargestNumber && thatMatter->upper >= LargestNumber));
+  if (reach)
+  {
+    std::ostringstream message;
+    message << "Cannot draw scalars farther from 0 than " << LargestNumber
+            << " that the transfer function tells apart: expected smaller ones; multiply them, and "
+               "the nodes of the function, by a small number";
+    throw std::runtime_error(message.str());
+  }
 }
 
 ValueRange NearValues(const ValueRange& all, const OptionalRange& thatMatter)

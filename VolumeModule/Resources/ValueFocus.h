@@ -20,6 +20,10 @@ Fingerprint ValueInputs(const Frame& frame);
 /// value does.
 ValueRange NearValues(const ValueRange& all, const std::optional<ValueRange>& thatMatter);
 
+/// Checks that values which matter are not limited to LargestNumber.
+/// @throws std::runtime_error with a sentence for the user, if they are
+void CheckReach(const ScalarTexels& texels, const std::optional<ValueRange>& thatMatter);
+
 /// A texel format whose tables, fields and texels tell apart the values that matter, although other
 /// values, such as a fill value, may be very far away. The present format is kept if it does that,
 /// because another one costs an upload.

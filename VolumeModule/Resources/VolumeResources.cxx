@@ -53,6 +53,7 @@ void VolumeResources::SetValues(const Frame& frame, bool areNew)
   for (std::size_t i = 0; i < values.texels.size(); ++i)
   {
     ScalarTexels& texels = values.texels[i];
+    CheckReach(texels, matter[i]);
     texels = Focused(texels, areNew ? texels : present[i], matter[i]);
     if (IsProjection(frame.settings.blend))
     {

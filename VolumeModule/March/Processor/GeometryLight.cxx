@@ -51,8 +51,8 @@ double StrengthOf(const glm::vec4* lamp, glm::dvec3 toLight, double distanceMm)
 
 GeometryLight::GeometryLight(const Frame& frame)
   : frame(frame)
-  , lights(LightTexelsOf(frame.view.renderer))
-  , head(HeadLightColorsOf(frame.view.renderer))
+  , lights(frame.lights.lamps)
+  , head(frame.lights.head)
   , towardsHeadWorld(
       -glm::make_vec3(frame.view.renderer->GetActiveCamera()->GetDirectionOfProjection()))
 {

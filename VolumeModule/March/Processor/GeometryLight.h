@@ -29,7 +29,7 @@ public:
     const Look look = this->LookOf(receiver.surface);
     glm::dvec3 whole = look.ambient + this->HeadLightOn(receiver, look);
     glm::dvec3 left = whole;
-    for (int lamp = 0; lamp < this->lights.distantCount + this->lights.nearCount; ++lamp)
+    for (int lamp = 0; lamp < this->lights.Count(); ++lamp)
     {
       const glm::dvec3 own = this->LampOn(lamp, receiver, look);
       whole += own;
@@ -54,8 +54,8 @@ private:
   glm::dvec3 LampOn(int lamp, const GeometryReceiver& receiver, const Look& look) const;
 
   const Frame& frame;
-  LightTexels lights;
-  HeadLightColors head;
+  const LightTexels& lights;
+  const HeadLightColors& head;
   glm::dvec3 towardsHeadWorld; ///< against the direction of the camera
 };
 
