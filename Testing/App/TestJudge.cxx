@@ -144,45 +144,70 @@ TEST(Judge, GeometryIsMetWhereItIs)
   EXPECT_TRUE(std::isinf(JudgedHit(triangles, { { 2.0, 0.0, 1.0 }, { 0.0, 0.0, 1.0 } })));
 }
 
-// The reference integrator of the tree is another program for the same integral. The judge does not
-// cut rays where a lit surface turns away, so that it errs a little there.
-TEST(Judge, AgreesWithTheReferenceIntegrator)
+namespace
+{
+
+// A turned volume of lumps with a look that bends and jumps.
+void MakeLumps(PromiseScene& scene, int mode, bool isLit)
+{
+  scene.AddVolume({ 9, 8, 7 }, { 1.0, 1.3, 0.8 }, promise::Lumps(scene.dice));
+  scene.SetLook({ { 0.3, 0.0 }, { 0.31, 0.2 }, { 0.5, 0.2 }, { 0.5, 0.4 }, { 0.9, 0.7 } }, 2.0);
+  scene.Turn();
+  scene.LookFrom(scene.Direction(), 1.3);
+  scene.Shade();
+  scene.Property()->SetShade(isLit);
+  scene.AddHeadLight();
+  scene.Property()->GetIsoSurfaceValues()->SetValue(0, 0.45);
+  scene.Mapper()->SetBlendMode(mode);
+  scene.side = 16;
+  scene.Draw();
+}
+
+// The largest difference between the judge and the tree's reference integrator.
+double LargestDifference(int mode, bool isLit)
 {
   vtkNew<vtkHeadlessRenderWindow> window;
+  PromiseScene scene(std::uint64_t(mode) + 3, window);
+  MakeLumps(scene, mode, isLit);
+  VolumeStage stage(scene.Image(), scene.side, window);
+  stage.volume->SetProperty(scene.Property());
+  stage.volume->SetUserMatrix(scene.Volume()->GetMatrix());
+  stage.mapper->SetBlendMode(mode);
+  stage.renderer->SetActiveCamera(scene.Renderer()->GetActiveCamera());
+  const std::vector<float> reference = stage.Truth(1e-7);
+  const JudgeScene truth = ReadJudgeScene(scene.Objects());
+  double largest = 0.0;
+  for (int i = 0; i < scene.side * scene.side; ++i)
+  {
+    const glm::dvec4 judged = Judge(truth).Pixel({ i % scene.side + 0.5, i / scene.side + 0.5 }, 8);
+    for (int channel = 0; channel < 4; ++channel)
+    {
+      largest = std::max(
+        largest, std::abs(judged[channel] - double(reference[std::size_t(4 * i + channel)])));
+    }
+  }
+  return largest;
+}
+
+}
+
+// The reference integrator of the tree is another program for the same integral.
+TEST(Judge, AgreesWithTheReferenceIntegratorInAllBlendModes)
+{
   for (const int mode :
     { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
       vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
       vtkVolumeMapper::ADDITIVE_BLEND, vtkVolumeMapper::ISOSURFACE_BLEND })
   {
-    PromiseScene scene(std::uint64_t(mode) + 3, window);
-    scene.AddVolume({ 9, 8, 7 }, { 1.0, 1.3, 0.8 }, promise::Lumps(scene.dice));
-    scene.SetLook({ { 0.3, 0.0 }, { 0.31, 0.2 }, { 0.5, 0.2 }, { 0.5, 0.4 }, { 0.9, 0.7 } }, 2.0);
-    scene.Turn();
-    scene.LookFrom(scene.Direction(), 1.3);
-    scene.Shade();
-    scene.AddHeadLight();
-    scene.Property()->GetIsoSurfaceValues()->SetValue(0, 0.45);
-    scene.Mapper()->SetBlendMode(mode);
-    scene.side = 16;
-    scene.Draw();
-    VolumeStage stage(scene.Image(), scene.side, window);
-    stage.volume->SetProperty(scene.Property());
-    stage.volume->SetUserMatrix(scene.Volume()->GetMatrix());
-    stage.mapper->SetBlendMode(mode);
-    stage.renderer->SetActiveCamera(scene.Renderer()->GetActiveCamera());
-    const std::vector<float> reference = stage.Truth(1e-7);
-    const JudgeScene truth = ReadJudgeScene(scene.Objects());
-    const Judge judge(truth);
-    for (int i = 0; i < scene.side * scene.side; ++i)
-    {
-      const glm::dvec4 judged = judge.Pixel({ i % scene.side + 0.5, i / scene.side + 0.5 }, 8);
-      for (int channel = 0; channel < 4; ++channel)
-      {
-        EXPECT_NEAR(judged[channel], reference[std::size_t(4 * i + channel)], 4e-4)
-          << "mode " << mode << ", pixel " << i;
-      }
-    }
+    EXPECT_LT(LargestDifference(mode, false), 1e-5) << "mode " << mode;
   }
+}
+
+// The judge does not cut rays where a lit surface turns away from the eye, and errs a little there.
+TEST(Judge, AgreesWithTheReferenceIntegratorInAHeadLight)
+{
+  EXPECT_LT(LargestDifference(vtkVolumeMapper::COMPOSITE_BLEND, true), 2e-3);
+  EXPECT_LT(LargestDifference(vtkVolumeMapper::ISOSURFACE_BLEND, true), 1e-5);
 }
 
 namespace

@@ -121,6 +121,13 @@ void AddGradientCuts(const JudgeVolume& volume, const JudgeSpan& span, std::vect
   }
 }
 
+// True if a polynomial certainly stays within one band.
+bool StaysInBand(const JudgeLook& look, const JudgeCubic& cubic)
+{
+  const double most = std::abs(cubic[1]) + std::abs(cubic[2]) + std::abs(cubic[3]);
+  return look.BandOf(cubic[0] - most) == look.BandOf(cubic[0] + most);
+}
+
 }
 
 void JudgeVolume::FindPieces(const JudgeSpan& span, std::vector<JudgePiece>& pieces) const
@@ -128,7 +135,7 @@ void JudgeVolume::FindPieces(const JudgeSpan& span, std::vector<JudgePiece>& pie
   const JudgeLook& look = this->looks[std::size_t(span.look)];
   thread_local std::vector<double> cuts;
   cuts.assign({ 0.0, 1.0 });
-  if (!this->isNearest)
+  if (!this->isNearest && !StaysInBand(look, span.value))
   {
     const std::vector<double> turns = JudgeTurns(span.value);
     for (std::size_t i = 0; i + 1 < turns.size(); ++i)

@@ -122,12 +122,11 @@ void Pixels::RefineOne(std::size_t i)
   constexpr double Known = 0.05; // a part of the tolerance
   const double tolerance = this->scene.errorTolerance;
   JudgedPixel& one = this->pixels[i];
-  int fineness = 1;
-  one.color = this->ColorAt(i, glm::dvec2(0.0), fineness);
+  int fineness = Judge::Coarse;
   bool isKnown = false;
   while (!isKnown && fineness < Finest)
   {
-    fineness *= 2;
+    fineness = fineness == Judge::Coarse ? 1 : 2 * fineness;
     const glm::dvec4 finer = this->ColorAt(i, glm::dvec2(0.0), fineness);
     one.doubt = Difference(one.color, finer);
     one.color = finer;

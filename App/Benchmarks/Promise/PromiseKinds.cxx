@@ -28,6 +28,9 @@ const std::vector<std::string>& PromiseKindsUnderWork()
     // Light where matter changes within a voxel.
     "shadow-along-sheet",
     "shadow-bands",
+    "shadow-look-edits",
+    "shadow-mask-edits",
+    "shadow-moves",
     "soft-bands",
     "scattering-bands",
     "occlusion",
