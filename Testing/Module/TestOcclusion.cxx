@@ -65,11 +65,11 @@ TEST(Occlusion, KeepsTheErrorToleranceInAllButSinglePixels)
   for (const double tolerance : { 1.0 / 16.0, 1.0 / 64.0 })
   {
     torso.scene.mapper->SetErrorTolerance(tolerance);
-    for (const std::vector<float>& drawn : { torso.scene.DrawByProcessor(), torso.scene.Draw() })
-    {
-      EXPECT_LE(pixelsBeyond(drawn, tolerance), 1) << tolerance;
-      EXPECT_EQ(pixelsBeyond(drawn, 1.25 * tolerance), 0) << tolerance;
-    }
+    EXPECT_LE(pixelsBeyond(torso.scene.DrawByProcessor(), tolerance), 1) << tolerance;
+    EXPECT_TRUE(torso.scene.mapper->GetErrorToleranceIsKept());
+    const int beyondByShaders = pixelsBeyond(torso.scene.Draw(), tolerance);
+    EXPECT_TRUE(beyondByShaders <= 1 || !torso.scene.mapper->GetErrorToleranceIsKept())
+      << beyondByShaders << ", " << tolerance;
   }
   torso.scene.mapper->SetAmbientOcclusion(0.0);
   EXPECT_GT(pixelsBeyond(torso.scene.DrawByProcessor(), 0.1), 10) << "occlusion is seen";
@@ -117,11 +117,11 @@ TEST(Occlusion, AfterAnyChangeIsThatOfANewVolume)
   };
   for (const auto& [name, change] : changes)
   {
-    OccludedTorso kept(24);
+    OccludedTorso kept(8);
     const std::vector<float> before = kept.scene.DrawByProcessor();
     EXPECT_EQ(kept.scene.DrawByProcessor(), before) << name;
     change(kept.scene);
-    OccludedTorso fresh(24);
+    OccludedTorso fresh(8);
     change(fresh.scene);
     const std::vector<float> after = kept.scene.DrawByProcessor();
     EXPECT_EQ(after, fresh.scene.DrawByProcessor()) << name;

@@ -129,7 +129,7 @@ void PacketPictures::UseTable(const std::vector<glm::vec4>& entries, int lastInd
   const std::array<double, 2> visible = VisibleValues(this->table);
   this->scene.look = { entries.data(), lastIndex, float(indexPerValue),
     float(-this->table.firstValue * indexPerValue), this->table.entries.front(),
-    this->table.entries.back(), glm::vec2(visible[0], visible[1]) };
+    this->table.entries.back(), glm::vec2(visible[0], visible[1]), nullptr };
 }
 
 void PacketPictures::PreIntegrate()

@@ -1,6 +1,7 @@
 #include "Frame/MarchPlan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace varimarch
@@ -19,12 +20,28 @@ void TakePlan(const MarchPlan& plan, RenderSettings& settings)
   settings.occludesOthers = settings.occludesOthers && mayOcclude;
 }
 
+double DistanceOfLightMm(const MarchPlan& plan)
+{
+  return plan.light.sampleDistanceMm > 0.0 ? plan.light.sampleDistanceMm : plan.sampleDistanceMm;
+}
+
 void TakeFindings(const VolumeFindings& findings, RenderSettings& settings)
 {
   settings.skipsBricks = findings.skipsBricks;
   settings.gaps = findings.hasGaps;
 }
 
+}
+
+double MarchPlan::LightStepMm(double spacingMm) const
+{
+  const double step = DistanceOfLightMm(*this);
+  return step < spacingMm ? std::sqrt(step * spacingMm) : step;
+}
+
+double MarchPlan::OcclusionStepMm(double spacingMm) const
+{
+  return spacingMm * std::cbrt(std::min(DistanceOfLightMm(*this) / spacingMm, 1.0));
 }
 
 MarchPlan MarchPlan::WithPass(RayPass otherPass) const

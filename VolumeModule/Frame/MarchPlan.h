@@ -20,6 +20,25 @@ struct VolumeFindings
   bool hasGaps = false;    ///< True if some cells have no value.
 };
 
+/// The way to the light that shadows and ambient occlusion leave at a place.
+struct LightSource
+{
+  /// The agreement of the nodes of a cell that is needed to interpolate light in it, relative to
+  /// the least, [0, 1]; 0 if all light is traced.
+  double latticePart = 1.0;
+  /// The sample distance that the steps of rays to lights and of ambient occlusion follow [mm]; 0
+  /// for that of the image.
+  double sampleDistanceMm = 0.0;
+
+  bool IsTraced() const { return !(this->latticePart > 0.0); }
+
+  bool operator==(const LightSource& other) const
+  {
+    return this->latticePart == other.latticePart &&
+      this->sampleDistanceMm == other.sampleDistanceMm;
+  }
+};
+
 /// Decisions about a frame that are made after it is built. The frame itself does not change.
 struct MarchPlan
 {
@@ -47,7 +66,17 @@ struct MarchPlan
   bool addsUp = false;        ///< True if the colours are added to those in the framebuffer.
   bool isTrial = false;       ///< True for a trial image, in which fetches are not counted.
   bool isLit = true;          ///< False for a trial of opacities, which do not depend on light.
+  LightSource light;          ///< The way to the light that shadows and ambient occlusion leave.
   bool hasSmallTable = false; ///< True for a trial with half of the pre-integrated values.
+
+  /// The longest segment of rays to lights, and the distance between places along a ray of the eye
+  /// at which light is found. Below the spacing of the voxels it is the geometric mean of that and
+  /// the sample distance, because light changes less than what is seen, and the time of shadows is
+  /// inverse to its square.
+  double LightStepMm(double spacingMm) const;
+  /// The longest segment of rays to all sides. A mean over all sides changes even less, so that
+  /// below the spacing of the voxels it falls with the cube root of the sample distance.
+  double OcclusionStepMm(double spacingMm) const;
 
   /// The plan of another drawing of the same image.
   MarchPlan WithPass(RayPass otherPass) const;

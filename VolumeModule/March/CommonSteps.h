@@ -12,6 +12,7 @@ struct CommonSteps
 {
   StepChoice step;      ///< [mm]
   bool isPreIntegrated; ///< True for pre-integration, false for midpoints, if a trial may choose.
+  double latticePart;   ///< See LightSource.
   Box wholeData;        ///< The box around all parts, in the coordinates of the data.
 };
 

@@ -128,13 +128,12 @@ void RayMarcher::DimGeometry(
 
 bool RayMarcher::FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan)
 {
-  bool areFew =
-    varimarch::HasFewSkyPlaces(MarchOf(frame, plan), this->resources.First().Light().Sky());
+  const auto areFewIn = [](const VolumeMarch& march, VolumeResources& volume)
+  { return varimarch::HasFewSkyPlaces(march, volume.Light().Sky(march)); };
+  bool areFew = areFewIn(MarchOf(frame, plan), this->resources.First());
   for (std::size_t i = 0; i < frame.others.size(); ++i)
   {
-    areFew = areFew ||
-      varimarch::HasFewSkyPlaces(
-        MarchOfOther(frame, plan, i), this->resources.Other(i).Light().Sky());
+    areFew = areFew || areFewIn(MarchOfOther(frame, plan, i), this->resources.Other(i));
   }
   return areFew;
 }
@@ -210,6 +209,7 @@ void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan)
   }
   plan.sampleDistanceMm =
     std::max(this->foundStep->sampleDistance, ShortestDistanceWithSkyMm(frame, plan.marcher));
+  plan.light.latticePart = this->commonSteps->latticePart;
   plan.wholeData = this->commonSteps->wholeData;
 }
 
@@ -245,6 +245,7 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
   }
   this->foundStep = this->tolerance.Choice()->step;
   plan.integration = this->tolerance.Choice()->integration;
+  plan.light = this->tolerance.Choice()->light;
   // Shaders that count fetches may draw with steps that were found with packets.
   plan.sampleDistanceMm = std::max(
     this->tolerance.SampleDistanceInViewMm(), ShortestDistanceWithSkyMm(frame, plan.marcher));

@@ -119,14 +119,9 @@ void SetPass(RayParameters& p, const VolumeMarch& march)
   p.pickedHighestBits = int(march.frame.pass.highestBits);
 }
 
-// The longest segment of rays to lights, and the distance between these rays along a ray of the
-// eye. Below the spacing of the voxels it is the geometric mean of that and the sample distance,
-// because light changes less than what is seen, and the time of shadows is inverse to its square.
 double WantedShadowStepMm(const VolumeMarch& march)
 {
-  const double step = march.plan.sampleDistanceMm;
-  const double spacing = SmallestSpacingMm(march.frame);
-  return step < spacing ? std::sqrt(step * spacing) : step;
+  return march.plan.LightStepMm(SmallestSpacingMm(march.frame));
 }
 
 bool IsEndedByRasterizer(const VolumeMarch& march)

@@ -18,11 +18,14 @@ struct SearchFacts
   bool preIntegratesByTable = false; ///< True if each distance has a table of its own.
   bool hasLight = false;             ///< True if an image without light is another.
   bool isShaded = false;
-  bool looksForPeaks = false;      ///< True for a composite whose opacity depends on values alone.
-  bool hasNarrowPeaks = false;     ///< True if samples may miss peaks of the transfer function.
-  bool losesByTable = false;       ///< True if pre-integration's table may move edges.
-  bool hasNodesInTable = false;    ///< True if nodes lie closer together than that table's values.
-  bool mayPreIntegrate = false;    ///< False if the table's losses rule out pre-integration.
+  bool looksForPeaks = false;   ///< True for a composite whose opacity depends on values alone.
+  bool hasNarrowPeaks = false;  ///< True if samples may miss peaks of the transfer function.
+  bool losesByTable = false;    ///< True if pre-integration's table may move edges.
+  bool hasNodesInTable = false; ///< True if nodes lie closer together than that table's values.
+  bool mayPreIntegrate = false; ///< False if the table's losses rule out pre-integration.
+  /// True if light may be interpolated in lattices, whose error no sample distance shows.
+  bool keepsLight = false;
+  double lightOfLimit = 0.0;       ///< The error that they may add, in parts of the limit.
   double preIntegrationCost = 1.0; ///< The cost of a pre-integrated step, in midpoint steps.
 };
 

@@ -60,9 +60,10 @@ std::vector<double> NumbersOf(const SearchFacts& facts)
 {
   return { facts.limit.percentile999, facts.limit.largest, facts.range.coarsest,
     -facts.range.finest, facts.firstMm, double(facts.usual), double(facts.choosesIntegration),
-    double(facts.mayPreIntegrate), -facts.preIntegrationCost, IfAny(facts.hasLight),
-    IfAny(facts.isShaded), IfAny(facts.looksForPeaks), IfAny(facts.hasNarrowPeaks),
-    IfAny(facts.losesByTable), IfAny(facts.hasNodesInTable) };
+    double(facts.mayPreIntegrate), -facts.preIntegrationCost, facts.lightOfLimit,
+    IfAny(facts.keepsLight), IfAny(facts.hasLight), IfAny(facts.isShaded),
+    IfAny(facts.looksForPeaks), IfAny(facts.hasNarrowPeaks), IfAny(facts.losesByTable),
+    IfAny(facts.hasNodesInTable) };
 }
 
 SearchFacts FactsOf(const std::vector<double>& numbers)
@@ -78,6 +79,8 @@ SearchFacts FactsOf(const std::vector<double>& numbers)
   facts.choosesIntegration = *next++ > 0.0;
   facts.mayPreIntegrate = *next++ > 0.0;
   facts.preIntegrationCost = -*next++;
+  facts.lightOfLimit = *next++;
+  facts.keepsLight = HoldsForAny(*next++);
   facts.hasLight = HoldsForAny(*next++);
   facts.isShaded = HoldsForAny(*next++);
   facts.looksForPeaks = HoldsForAny(*next++);
@@ -116,31 +119,32 @@ void MergeNumbers(std::vector<double>& least, const std::vector<double>& numbers
 using SearchMessage = std::vector<double>;
 constexpr double DrawsTrial = 1.0;
 constexpr double EndsSearch = 0.0;
-constexpr std::size_t SearchMessageLength = 5;
+constexpr std::size_t SearchMessageLength = 7;
 
 SearchMessage MessageOf(const TrialImage& image)
 {
   return { DrawsTrial, double(image.integration), image.sampleDistanceMm, double(image.isLit),
-    double(image.hasSmallTable) };
+    double(image.hasSmallTable), image.light.latticePart, image.light.sampleDistanceMm };
 }
 
 TrialImage ImageOf(const SearchMessage& message)
 {
-  return { Integration(int(message[1])), message[2], message[3] != 0.0, message[4] != 0.0, false };
+  return { Integration(int(message[1])), message[2], message[3] != 0.0, message[4] != 0.0, false,
+    { message[5], message[6] } };
 }
 
 SearchMessage MessageOf(const std::optional<CommonSteps>& found)
 {
   return found ? SearchMessage{ EndsSearch, found->step.sampleDistance, found->step.error,
-    found->step.ofLimit, double(found->isPreIntegrated) }
+    found->step.ofLimit, double(found->isPreIntegrated), found->latticePart, 0.0 }
                : SearchMessage(SearchMessageLength, EndsSearch);
 }
 
 std::optional<CommonSteps> StepsOf(const SearchMessage& message)
 {
-  return message[1] > 0.0
-    ? std::optional<CommonSteps>({ { message[1], message[2], message[3] }, message[4] != 0.0, {} })
-    : std::nullopt;
+  return message[1] > 0.0 ? std::optional<CommonSteps>({ { message[1], message[2], message[3] },
+                              message[4] != 0.0, message[5], {} })
+                          : std::nullopt;
 }
 
 // The longest of a few distances that is not above another. Where parts meet, their segments end,
@@ -178,7 +182,8 @@ std::optional<CommonSteps> LeadSearch(
   try
   {
     const ToleranceChoice choice = ToleranceSearch::ChooseAnew(facts, draw);
-    found = { choice.step, choice.integration == Integration::PreIntegrated, {} };
+    found = { choice.step, choice.integration == Integration::PreIntegrated,
+      choice.light.latticePart, {} };
     found->step.sampleDistance = RoundedDown(choice.step.sampleDistance, facts);
   }
   catch (const std::exception&)

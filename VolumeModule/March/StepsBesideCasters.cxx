@@ -28,6 +28,7 @@ bool ToleranceSearch::KeepBesideMovedCasters(Trial trial, const ToleranceInputs&
     return false;
   }
   trial.isSmall = true;
+  trial.light = this->choice->light;
   const Integration rule = this->choice->integration;
   const double distanceMm = this->choice->step.sampleDistance;
   if (ErrorOfLimit(

@@ -137,20 +137,21 @@ double ToleranceSearch::SampleDistanceInViewMm() const
 const std::vector<float>& ToleranceSearch::Trial::Draw(
   Integration integration, double sampleDistanceMm)
 {
-  return this->images.Of({ integration, sampleDistanceMm, true, false, this->isSmall });
+  return this->images.Of(
+    { integration, sampleDistanceMm, true, false, this->isSmall, this->light });
 }
 
 const std::vector<float>& ToleranceSearch::Trial::DrawUnlit(
   Integration integration, double sampleDistanceMm)
 {
   return this->images.Of(
-    { integration, sampleDistanceMm, !this->facts.hasLight, false, this->isSmall });
+    { integration, sampleDistanceMm, !this->facts.hasLight, false, this->isSmall, {} });
 }
 
 const std::vector<float>& ToleranceSearch::Trial::DrawWithSmallTable(double sampleDistanceMm)
 {
   return this->images.Of(
-    { Integration::PreIntegrated, sampleDistanceMm, false, true, this->isSmall });
+    { Integration::PreIntegrated, sampleDistanceMm, false, true, this->isSmall, {} });
 }
 
 FoundSteps ToleranceSearch::Trial::Find(
@@ -199,16 +200,71 @@ std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
   return isNoWorse ? std::optional<ToleranceChoice>(made) : std::nullopt;
 }
 
+// All trial images of a search with lattices share their error. So one image more is drawn without
+// them, with the light of steps that are shorter by the factor at which a search compares images.
+// The error falls with the differences that are allowed between the nodes of a cell.
+template <class Choose>
+ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
+{
+  ToleranceChoice choice = choose(trial);
+  if (!trial.facts.keepsLight)
+  {
+    return choice;
+  }
+  constexpr double LeastPart = 1.0 / 32.0;
+  constexpr double Caution = 0.6;
+  const double most = trial.facts.lightOfLimit;
+  double ofLimit = KeptLightOfLimit(trial, choice);
+  while (ofLimit > most && choice.light.latticePart > LeastPart)
+  {
+    choice.light.latticePart *= std::max(Caution * most / ofLimit, 1.0 / 8.0);
+    const double last = ofLimit;
+    ofLimit = KeptLightOfLimit(trial, choice);
+    // Light that is wrong at nodes stays so.
+    if (ofLimit > most && ofLimit > 0.7 * last)
+    {
+      break;
+    }
+  }
+  if (ofLimit <= most)
+  {
+    choice.step.error += ofLimit * trial.facts.limit.percentile999;
+    return choice;
+  }
+  trial.light = { 0.0, 0.0 };
+  choice = choose(trial);
+  choice.light = trial.light;
+  return choice;
+}
+
+double ToleranceSearch::KeptLightOfLimit(Trial& trial, const ToleranceChoice& choice)
+{
+  constexpr double Finer = 4.0;
+  const double distanceMm = choice.step.sampleDistance;
+  const auto drawIn = [&](const LightSource& light)
+  {
+    trial.light = light;
+    return trial.Draw(choice.integration, distanceMm);
+  };
+  const std::vector<float> kept = drawIn(choice.light);
+  const std::vector<float> traced = drawIn({ 0.0, distanceMm / Finer });
+  return DifferenceOfLimit(kept, traced, trial.facts.limit);
+}
+
 ToleranceChoice ToleranceSearch::ChooseSteps(Trial trial, const ToleranceInputs& inputs) const
 {
-  const std::optional<ToleranceChoice> made = this->ChooseByLastRule(trial, inputs);
-  return made ? *made : ChooseAnew(trial, inputs);
+  return ChooseWithLight(trial,
+    [&](Trial& tried)
+    {
+      const std::optional<ToleranceChoice> made = this->ChooseByLastRule(tried, inputs);
+      return made ? *made : ChooseAnew(tried, inputs);
+    });
 }
 
 ToleranceChoice ToleranceSearch::ChooseAnew(const SearchFacts& facts, const TrialDrawing& draw)
 {
   Trial trial{ facts, { facts, draw } };
-  return ChooseAnew(trial, {});
+  return ChooseWithLight(trial, [&](Trial& tried) { return ChooseAnew(tried, {}); });
 }
 
 ToleranceChoice ToleranceSearch::ChooseAnew(Trial& trial, const ToleranceInputs& inputs)

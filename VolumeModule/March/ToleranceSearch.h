@@ -20,6 +20,7 @@ struct ToleranceChoice
   Integration integration;
   StepChoice step;
   double missedOfLimit = 0.0; ///< The error that no sample distance shows, in parts of the limit.
+  LightSource light = {};     ///< The way to the light of the image.
   bool isOfOtherCasters = false; ///< True if it was found before geometry moved, and tried since.
 };
 
@@ -52,6 +53,7 @@ private:
   {
     SearchFacts facts;
     TrialImages images;
+    LightSource light = {};
     bool isSmall = false; ///< True for images with a quarter of the rays.
 
     const std::vector<float>& Draw(Integration integration, double sampleDistanceMm);
@@ -73,6 +75,13 @@ private:
   void Remember();
   ToleranceChoice ChooseSteps(Trial trial, const ToleranceInputs& inputs) const;
   static ToleranceChoice ChooseAnew(Trial& trial, const ToleranceInputs& inputs);
+  /// A choice that keeps light in lattices if a trial shows that they are exact enough, otherwise
+  /// one that traces all light.
+  /// @param choose  (trial), searches the steps
+  template <class Choose>
+  static ToleranceChoice ChooseWithLight(Trial& trial, Choose choose);
+  /// The error of light that is interpolated in lattices.
+  static double KeptLightOfLimit(Trial& trial, const ToleranceChoice& choice);
   /// A choice by the rule of the last one; none if another rule may be better.
   std::optional<ToleranceChoice> ChooseByLastRule(
     Trial& trial, const ToleranceInputs& inputs) const;

@@ -17,6 +17,7 @@ bool IsSame(const TrialImage& one, const TrialImage& other)
   constexpr double Same = 1e-6;
   return one.integration == other.integration && one.isLit == other.isLit &&
     one.hasSmallTable == other.hasSmallTable && one.isSmall == other.isSmall &&
+    one.light == other.light &&
     std::abs(one.sampleDistanceMm / other.sampleDistanceMm - 1.0) < Same;
 }
 
@@ -37,6 +38,7 @@ MarchPlan TrialImage::PlanOf(const MarchPlan& image) const
   tried.isTrial = true;
   tried.isLit = this->isLit;
   tried.hasSmallTable = this->hasSmallTable;
+  tried.light = this->light;
   return tried;
 }
 
@@ -71,7 +73,8 @@ bool TrialImages::IsByTable(const TrialImage& image) const
 std::vector<TrialImage> TrialImages::AllWith(const TrialImage& image) const
 {
   std::vector<TrialImage> images = { image };
-  if (!this->range.isOfHalfOctaves || this->IsByTable(image))
+  const bool isOneOfAKind = image.light.sampleDistanceMm > 0.0;
+  if (!this->range.isOfHalfOctaves || this->IsByTable(image) || isOneOfAKind)
   {
     return images;
   }

@@ -19,6 +19,7 @@ struct TrialImage
   bool isLit;         ///< False for opacities alone, which do not depend on light.
   bool hasSmallTable; ///< True for half of the pre-integrated values.
   bool isSmall;       ///< True for a quarter of the rays.
+  LightSource light;
 
   /// The plan that draws it.
   MarchPlan PlanOf(const MarchPlan& image) const;

@@ -138,7 +138,7 @@ VolumeParameters VolumeParametersOf(
     SetExtreme(p, march, volume, mappings.front());
   }
   SetProjection(p, march, volume, mappings);
-  SetSky(p, march, volume.Light().Sky());
+  SetSky(p, march, volume.Light().Sky(march));
   SetGaps(p, march, marched.gapCells);
   SetMask(p, march, volume);
   SetSpacing(p, march, volume.SpacingBins());

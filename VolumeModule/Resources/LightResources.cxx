@@ -1,5 +1,6 @@
 #include "Resources/LightResources.h"
 
+#include "Core/Look/ExtinctionSums.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/SceneFingerprint.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace varimarch
@@ -39,11 +41,20 @@ constexpr double DepthOfOpaqueVoxel = 256.0;
 // The error of each of the rays to all sides, in parts of that of their mean.
 constexpr double ErrorOfOneRay = 4.0;
 
+// The side of the voxels that rays to all sides go through. Shaders march rays through all volumes
+// by the same steps.
+double OccluderVoxelMm(const VolumeMarch& march)
+{
+  return march.plan.marcher == Marcher::Device ? march.frame.material.occluderVoxelMm
+                                               : march.frame.geometry.SmallestSpacingMm();
+}
+
 // The longest segments of rays from nodes, in voxels. The error of a segment is of second order.
 double NodeStepVoxels(double error)
 {
   constexpr double ErrorOfAVoxel = 1.0 / 512.0;
-  return std::min(1.0, std::sqrt(error / ErrorOfAVoxel));
+  constexpr double LongestVoxels = 0.5;
+  return std::min(LongestVoxels, std::sqrt(error / ErrorOfAVoxel));
 }
 
 // True if matter takes so little light over a voxel that a shadow is as wide as a cell.
@@ -81,6 +92,7 @@ void LightResources::Update(const VolumeMarch& march, const MaterialResources& m
   // While a user interacts, images have no occlusion, but its nodes stay for the still image.
   this->sky = IsInWayOfSky(march.settings) ? this->sky : PacketSky();
   this->UpdateDirections(march);
+  this->UpdateSums(march, materials);
   this->kept = std::move(now);
 }
 
@@ -152,17 +164,12 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   }
   // The light that is kept changes by up to 1 / strength times what rays miss.
   const double error = strength * march.plan.budget.LightError() / LatticesOfALight(march);
-  // Shaders march rays through all volumes by the same steps.
-  const double voxelMm = march.plan.marcher == Marcher::Device
-    ? march.frame.material.occluderVoxelMm
-    : march.frame.geometry.SmallestSpacingMm();
   if (!(error > 0.0))
   {
-    this->sky.stepMm = float(std::min(voxelMm, march.plan.sampleDistanceMm));
     this->sky.mostDepth = MostDepthOfTraced;
     return;
   }
-  this->sky.stepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * voxelMm);
+  this->sky.nodeStepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * OccluderVoxelMm(march));
   this->sky.mostDepth = float(-std::log(error));
   // Light through blocks of other levels is other light.
   if (march.plan.marcher == Marcher::Device || !march.frame.settings.occlusion ||
@@ -177,6 +184,29 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape, now);
 }
 
+PacketShadows LightResources::Shadows(const VolumeMarch& march, int part) const
+{
+  PacketShadows ofPart = this->shadows[std::size_t(part)];
+  ofPart.agreement *= float(march.plan.light.latticePart);
+  if (march.plan.light.IsTraced())
+  {
+    std::fill(std::begin(ofPart.nodes), std::end(ofPart.nodes), nullptr);
+  }
+  return ofPart;
+}
+
+PacketSky LightResources::Sky(const VolumeMarch& march) const
+{
+  const double voxelMm = OccluderVoxelMm(march);
+  PacketSky ofMarch = this->sky;
+  ofMarch.stepMm =
+    float(march.plan.budget.HasTolerance() ? march.plan.OcclusionStepMm(voxelMm)
+                                           : std::min(voxelMm, march.plan.sampleDistanceMm));
+  ofMarch.agreement *= float(march.plan.light.latticePart);
+  ofMarch.nodes = march.plan.light.IsTraced() ? nullptr : ofMarch.nodes;
+  return ofMarch;
+}
+
 void LightResources::UpdateDirections(const VolumeMarch& march)
 {
   std::vector<glm::vec4> texels;
@@ -186,6 +216,30 @@ void LightResources::UpdateDirections(const VolumeMarch& march)
   }
   this->directions.Set(march.frame.view.window, std::move(texels));
   this->directions.Update(march.frame.view.window, march.plan.marcher);
+}
+
+void LightResources::UpdateSums(const VolumeMarch& march, const MaterialResources& materials)
+{
+  const bool areRead = march.plan.marcher == Marcher::Processor &&
+    (IsInWayOfLights(march.settings) || IsInWayOfSky(march.settings));
+  if (!areRead)
+  {
+    this->sums.clear();
+    this->sumInputs.clear();
+    return;
+  }
+  const double mostExtinction = DepthOfOpaqueVoxel / march.frame.geometry.SmallestSpacingMm();
+  const std::vector<double> inputs = { double(materials.TableBuilds()), mostExtinction };
+  if (this->sumInputs == inputs)
+  {
+    return;
+  }
+  this->sumInputs = inputs;
+  this->sums.clear();
+  for (const OpticalTable& table : materials.OpticalTables().Tables())
+  {
+    this->sums.push_back(ExtinctionSums(table, mostExtinction));
+  }
 }
 
 void LightResources::Release(vtkWindow* window)

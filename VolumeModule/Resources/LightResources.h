@@ -17,9 +17,9 @@ namespace varimarch
 /// of the light from all around, which packets of rays fill while they draw. A lattice is kept as
 /// long as its light, the volume and its opacities stay, whatever the view. There are none without
 /// an error tolerance, and none of shadows where a voxel may be all but opaque: they are then
-/// thinner than the cells of a lattice. Volumes that overlap have lattices of their own, whose
-/// light is multiplied; only ambient occlusion, which knows no product, takes all of them into
-/// account.
+/// thinner than the cells of a lattice. A march may leave them out (LightSource), which shows their
+/// error. Volumes that overlap have lattices of their own, whose light is multiplied; only ambient
+/// occlusion, which knows no product, takes all of them into account.
 class LightResources
 {
 public:
@@ -27,11 +27,20 @@ public:
   /// @param materials  the look of the volume
   void Update(const VolumeMarch& march, const MaterialResources& materials);
 
-  /// The lattices of one of the volume's materials, and how exactly shadows are computed.
-  const PacketShadows& Shadows(int part) const { return this->shadows[std::size_t(part)]; }
+  /// The lattices of one of the volume's materials, and how exactly a march computes shadows.
+  PacketShadows Shadows(const VolumeMarch& march, int part) const;
 
-  /// The lattice, and how exactly ambient occlusion is computed.
-  const PacketSky& Sky() const { return this->sky; }
+  /// The lattice, and how exactly a march computes ambient occlusion.
+  PacketSky Sky(const VolumeMarch& march) const;
+
+  /// ExtinctionSums of an optical table; null if packets do not ask how matter dims light.
+  const double* ExtinctionSumsOf(std::size_t table) const
+  {
+    return this->sums.empty() ? nullptr : this->sums[table].data();
+  }
+
+  /// True if a march may take light from a lattice.
+  bool HasLattices() const { return !this->kept.empty(); }
 
   /// The directions of ambient occlusion.
   MarchTexture SkyDirections() const { return this->directions.Texture(); }
@@ -58,12 +67,15 @@ private:
   void KeepLattices(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateDirections(const VolumeMarch& march);
+  void UpdateSums(const VolumeMarch& march, const MaterialResources& materials);
   std::uint8_t* KeepNodes(Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now);
 
   std::vector<Kept> kept;
   int builds = 0;
   std::vector<PacketShadows> shadows = { {} }; ///< The lattices of each material.
   PacketSky sky = {};
+  std::vector<std::vector<double>> sums; ///< ExtinctionSums of each optical table.
+  std::vector<double> sumInputs;
   FloatTable directions; ///< Table that shaders read; empty without ambient occlusion.
 };
 

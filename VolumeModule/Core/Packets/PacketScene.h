@@ -78,6 +78,7 @@ struct PacketLook
   glm::vec4 emissionBelow; ///< emission and extinction below the values of a PreIntegratedTable
   glm::vec4 emissionAbove; ///< the same above them
   glm::vec2 visibleValues; ///< values between these may absorb, no others
+  const double* sums;      ///< ExtinctionSums of the table; null without light that matter dims
 };
 
 /// The look of a component by a table of the parameters.
@@ -86,7 +87,7 @@ inline PacketLook LookBy(
 {
   return { entries, int(parameters.lastTableIndices[table]), parameters.tableScales[table],
     parameters.tableBiases[table], parameters.emissionBelow, parameters.emissionAbove,
-    { parameters.visibleLower[component], parameters.visibleUpper[component] } };
+    { parameters.visibleLower[component], parameters.visibleUpper[component] }, nullptr };
 }
 
 /// The look of a label, from OpticalTables, with members as in PacketLook.
@@ -122,9 +123,10 @@ struct PacketSky
   glm::vec4 directions[SphereDirections]; ///< SphereQuadrature [grid space per mm], with weights
   std::uint8_t* nodes;                    ///< nodes of its lattice; null: every place is traced
   LatticeShape shape;
-  float stepMm;    ///< longest segment of rays
-  float agreement; ///< largest difference between the nodes of a cell that is used
-  float mostDepth; ///< optical depth beyond which no light is left
+  float stepMm;     ///< longest segment of rays
+  float nodeStepMm; ///< the same of rays that fill nodes
+  float agreement;  ///< largest difference between the nodes of a cell that is used
+  float mostDepth;  ///< optical depth beyond which no light is left
 };
 
 /// Shaders/Shade and Shaders/Damping.

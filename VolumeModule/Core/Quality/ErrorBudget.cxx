@@ -44,6 +44,12 @@ double ErrorBudget::StepTolerance() const
   return this->isSampled ? this->stepFactor * this->tolerance : 0.0;
 }
 
+double ErrorBudget::LightOfLimit() const
+{
+  const double share = this->isOccluded ? OccludedStepShare : StepShare;
+  return (1.0 - EarlyTerminationShare - share) / share;
+}
+
 ErrorLimit ErrorBudget::StepLimit() const
 {
   const double tolerance =

@@ -62,6 +62,10 @@ struct ErrorBudget
   /// The error that shadows may add to a component of a pixel, besides that of their steps.
   double LightError() const;
 
+  /// The error that light which is interpolated may add, in parts of the limit of the steps: all
+  /// that these and early termination leave.
+  double LightOfLimit() const;
+
   /// The transmittance at which a ray may end.
   /// @param withoutTolerance  the result if there is no tolerance
   double EarlyTermination(double withoutTolerance) const;

@@ -235,6 +235,7 @@ MarchPlan GeometryDimming::WithSteps(
   {
     return stepped;
   }
+  stepped.light = { 0.0, 0.0 }; // the steps of this search say nothing about lattices
   ReceivedLight trial;
   trial.grid = TrialGridOf(received);
   trial.receivers = GeometryReceiversOf(frame, this->resources, trial.grid);

@@ -67,7 +67,7 @@ std::vector<PacketScene> ConstituentsOf(
         LookOf(march, volume, scene.parameters, OpacityTableOf(volume, component), component);
     }
     one.colors = ColorsOf(march, volume, scene.parameters);
-    one.shadows = volume.Light().Shadows(part);
+    one.shadows = volume.Light().Shadows(march, part);
     one.constituent.isOfMixture = true;
     one.constituent.component = part;
     one.constituent.isOfSameBricks = part > 0;

@@ -127,7 +127,9 @@ const glm::vec4* EntriesOf(
 PacketLook LookOf(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeParameters& parameters, std::size_t table, int component)
 {
-  return LookBy(parameters, EntriesOf(march, volume, table), int(table), component);
+  PacketLook look = LookBy(parameters, EntriesOf(march, volume, table), int(table), component);
+  look.sums = UsesPreIntegration(march.settings) ? nullptr : volume.Light().ExtinctionSumsOf(table);
+  return look;
 }
 
 std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables)
@@ -159,8 +161,8 @@ PacketScene PacketSceneOf(
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
   scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,
     march.settings.shading && march.settings.shadows, march.settings.scattering };
-  scene.shadows = volume.Light().Shadows(0);
-  scene.sky = volume.Light().Sky();
+  scene.shadows = volume.Light().Shadows(march, 0);
+  scene.sky = volume.Light().Sky(march);
   scene.extreme = ExtremeOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);

@@ -137,8 +137,8 @@ private:
     this->known = this->going;
   }
 
-  static SurfaceType SurfaceOn(const Voxels& voxels, const Material& material, const Lanes3& place,
-    Lanes value, LaneMask going)
+  static SurfaceType SurfaceOn(
+    const Voxels& voxels, Material& material, const Lanes3& place, Lanes value, LaneMask going)
   {
     const Lanes3 gradient = material.IsPlain() ? Lanes3{ Lanes{}, Lanes{}, Lanes{} }
                                                : voxels.SlopeAt(place, going).gradient;
@@ -149,7 +149,8 @@ private:
   [[gnu::noinline]] FLATTENED static SurfaceType SurfaceAtStart(
     const PacketScene& scene, const PacketRays& rays, Lanes t, Lanes value, LaneMask going)
   {
-    return SurfaceOn(Voxels(scene.volume), Material(scene, rays), rays.At(t), value, going);
+    Material material(scene, rays);
+    return SurfaceOn(Voxels(scene.volume), material, rays.At(t), value, going);
   }
 
   /// @param along  the middle of the part, [0, 1] of the segment

@@ -21,7 +21,7 @@ PacketSum MarchBoxMaterials(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   const PacketBoxes<Voxel> boxes(scene.volume);
-  const Material material(scene, rays);
+  Material material(scene, rays);
   return MarchBoxes(scene, rays, walk, before, boxes,
     [&](PacketSum& sum, const Lanes3& voxel, Lanes value, Lanes enter, Lanes lengthMm)
     {

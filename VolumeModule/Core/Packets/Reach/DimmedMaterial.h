@@ -215,18 +215,19 @@ public:
     , voxels(SceneOfLight(scene).volume)
     , lightCount(ShadowedLight::CountOf(scene))
     , casters(scene, rays)
+    , sky(SceneOfLight(scene), this->voxels)
     , gathered(this->lightCount, scene.rays.shadowStepMm)
   {
   }
 
   static constexpr bool IsPlain() { return false; }
 
-  OpenSurface SurfaceAt(const Slope& slope, const Lanes3& placeGrid, LaneMask mask) const
+  OpenSurface SurfaceAt(const Slope& slope, const Lanes3& placeGrid, LaneMask mask)
   {
     const Surface surface = this->SurfaceOf(slope.gradient);
     return this->scene.sky.strength > 0.0f ? OpenSurface{ surface,
-      OpenSky<Voxels>(SceneOfLight(this->scene), this->voxels)
-        .At(PlaceOfLight(this->scene, this->OutsideOf(slope, placeGrid, this->voxels)), mask) }
+      this->sky.At(
+        PlaceOfLight(this->scene, this->OutsideOf(slope, placeGrid, this->voxels)), mask) }
                                            : OpenSurface{ surface, All(1.0f) };
   }
 
@@ -299,11 +300,12 @@ private:
   Voxels voxels;  ///< the voxels of SceneOfLight
   int lightCount; ///< number of lights that cast shadows
   CastersOnRays casters;
+  OpenSky<Voxels> sky;
   typename GatheringIn<Voxels>::Type gathered;
 };
 
 template <class Voxels, class Undimmed>
-OpenSurface SurfaceAt(const DimmedMaterial<Voxels, Undimmed>& material, const Slope& slope,
+OpenSurface SurfaceAt(DimmedMaterial<Voxels, Undimmed>& material, const Slope& slope,
   const Lanes3& placeGrid, LaneMask mask)
 {
   return material.SurfaceAt(slope, placeGrid, mask);

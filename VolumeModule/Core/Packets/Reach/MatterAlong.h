@@ -86,6 +86,24 @@ public:
     return Min(weight * extinction, All(this->scene.shadows.mostExtinction));
   }
 
+  /// The mean extinction of values that change linearly from one to another [1/mm].
+  Lanes MeanExtinctionOf(Lanes start, Lanes end, const Lanes3& gradient) const
+  {
+    if (this->scene.look.sums && !this->scene.labelRows && this->IsOfValues())
+    {
+      const Lanes most = All(this->scene.shadows.mostExtinction);
+      const float weight = this->scene.parameters.partWeights[this->scene.constituent.component];
+      return Min(weight * varimarch::MeanExtinctionOf(this->scene.look, start, end, most), most);
+    }
+    constexpr int Parts = 4;
+    Lanes sum = {};
+    for (int part = 0; part < Parts; ++part)
+    {
+      sum = sum + this->ExtinctionOf(Mix(start, end, All((float(part) + 0.5f) / Parts)), gradient);
+    }
+    return (1.0f / Parts) * sum;
+  }
+
 private:
   [[gnu::noinline]] Lanes ExtinctionOfLabels(Lanes value, const Lanes3& gradient) const
   {

@@ -16,9 +16,10 @@ namespace
 
 /// The optical depth of a volume from places on, as far as light from all around is taken.
 /// @param direction  its index in PacketSky
+/// @param isOfNodes  true for the places of nodes of the lattice
 template <class Voxels>
 FLATTENED Lanes SkyDepth(const PacketScene& scene, const Voxels& voxels, int direction,
-  const Lanes3& placeGrid, LaneMask mask)
+  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
 {
   PacketRays rays;
   rays.originGrid = placeGrid;
@@ -29,12 +30,13 @@ FLATTENED Lanes SkyDepth(const PacketScene& scene, const Voxels& voxels, int dir
   rays.exit = All(scene.sky.reachMm);
   KeepUncut(rays, scene);
   // A surface is farther from its place than the first segment.
-  const float longestMm = scene.sky.stepMm;
+  const float longestMm = isOfNodes ? scene.sky.nodeStepMm : scene.sky.stepMm;
   const ShadowMarch march = { longestMm, All(0.5f * longestMm), scene.sky.mostDepth };
   return DepthAlong(scene, voxels, rays, march, mask, NothingIsKnown());
 }
 
-/// The part of the light from all around that reaches places in a volume.
+/// The part of the light from all around that reaches places in a volume. Where it is traced,
+/// places that follow each other at less than half of a segment are extrapolated from those before.
 /// @tparam Voxels  with a SkyDepth
 template <class Voxels>
 class OpenSky
@@ -48,28 +50,49 @@ public:
   }
 
   /// @param mask  the places that matter
-  Lanes At(const Lanes3& placeGrid, LaneMask mask) const
+  Lanes At(const Lanes3& placeGrid, LaneMask mask)
   {
     if (!this->cells)
     {
-      return this->Traced(placeGrid, mask);
+      return this->Followed(placeGrid, mask);
     }
     LaneMask agrees = mask & this->cells.Contains(placeGrid);
     const LightInCells found = this->cells.LightAt(placeGrid, agrees,
-      [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->Traced(nodeGrid, nodes); });
+      [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->Traced(nodeGrid, nodes, true); });
     agrees &= LaneMask(found.spread <= this->scene.sky.agreement);
     const LaneMask others = mask & ~agrees;
-    return Any(others) ? Select(others, this->Traced(placeGrid, others), found.between)
+    return Any(others) ? Select(others, this->Followed(placeGrid, others), found.between)
                        : found.between;
   }
 
 private:
-  [[gnu::noinline]] Lanes Traced(const Lanes3& placeGrid, LaneMask mask) const
+  // A packet is traced for all of its places if one of them asks for it.
+  Lanes Followed(const Lanes3& placeGrid, LaneMask mask)
+  {
+    const Lanes movedMm =
+      Length(Transformed(this->scene.parameters.worldFromGrid, placeGrid - this->lastGrid));
+    const float longestMm = 0.5f * this->scene.sky.stepMm;
+    const LaneMask follows = this->isKnown & LaneMask(movedMm < longestMm);
+    if (!Any(mask & ~follows))
+    {
+      return Clamp(this->lastOpen + movedMm * this->changePerMm, 0.0f, 1.0f);
+    }
+    const Lanes open = this->Traced(placeGrid, mask, false);
+    const LaneMask goesOn = mask & this->isKnown & LaneMask(movedMm < 2.0f * longestMm);
+    this->changePerMm =
+      Select(goesOn, (open - this->lastOpen) / Max(movedMm, All(1e-6f * longestMm)), Lanes{});
+    this->lastOpen = open;
+    this->lastGrid = placeGrid;
+    this->isKnown = mask;
+    return open;
+  }
+
+  [[gnu::noinline]] Lanes Traced(const Lanes3& placeGrid, LaneMask mask, bool isOfNodes) const
   {
     Lanes seen = {};
     for (int i = 0; i < SphereDirections; ++i)
     {
-      const Lanes depth = SkyDepth(this->scene, this->voxels, i, placeGrid, mask);
+      const Lanes depth = SkyDepth(this->scene, this->voxels, i, placeGrid, mask, isOfNodes);
       seen = seen + this->scene.sky.directions[i].w * Exp(-depth);
     }
     return KeptLight(seen, All(this->scene.sky.strength));
@@ -78,6 +101,10 @@ private:
   const PacketScene& scene;
   const Voxels& voxels;
   LightCells cells;
+  Lanes3 lastGrid = Lanes3(0.0f); ///< the places that were traced last
+  Lanes lastOpen = {};
+  Lanes changePerMm = {}; ///< change of the light when these places were reached
+  LaneMask isKnown = {};  ///< the rays that had such places
 };
 
 }

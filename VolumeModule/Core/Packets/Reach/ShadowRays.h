@@ -107,25 +107,13 @@ private:
     }
     if (Any(absorbs))
     {
-      const Lanes added = lengthMm * this->MeanExtinction(startValue, end, absorbs);
+      const Lanes added = lengthMm *
+        this->matter.MeanExtinctionOf(startValue, this->endValue, this->GradientAt(end, absorbs));
       this->depth = this->depth + Select(absorbs, added, Lanes{});
     }
     this->t = Select(mask, end, this->t);
     const Lanes longer = NextShadowStep(this->plainMm, All(this->march.longestMm));
     this->plainMm = Select(jumps, this->plainMm, longer);
-  }
-
-  Lanes MeanExtinction(Lanes startValue, Lanes end, LaneMask mask) const
-  {
-    const Lanes3 gradient = this->GradientAt(end, mask);
-    constexpr int Parts = 4;
-    Lanes sum = {};
-    for (int part = 0; part < Parts; ++part)
-    {
-      const Lanes value = Mix(startValue, this->endValue, All((float(part) + 0.5f) / Parts));
-      sum = sum + this->matter.ExtinctionOf(value, gradient);
-    }
-    return (1.0f / Parts) * sum;
   }
 
   // The gradient at a place, where extinction depends on it.

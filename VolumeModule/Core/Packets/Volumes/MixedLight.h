@@ -146,7 +146,7 @@ struct VoxelsAmongOthers
 
 /// The optical depth of all constituents from places on, in the grid of one of them.
 inline Lanes SkyDepth(const PacketScene& scene, const VoxelsAmongOthers& voxels, int direction,
-  const Lanes3& placeGrid, LaneMask mask)
+  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
 {
   Lanes depth = {};
   for (int i = 0; i < voxels.all.Count(); ++i)
@@ -158,7 +158,7 @@ inline Lanes SkyDepth(const PacketScene& scene, const VoxelsAmongOthers& voxels,
     }
     const PacketScene& other = voxels.all[i];
     const Lanes own = SkyDepth(other, AnyVoxels(other), direction,
-      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts);
+      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts, isOfNodes);
     depth = depth + Select(counts, own, Lanes{});
   }
   return depth;

@@ -27,13 +27,14 @@ public:
   Constituent(const PacketScene& scene, const PacketPiece& piece, Constituent* before)
     : before(before)
     , scene(scene)
-    , all(piece.scene)
     , isOfBoxes(scene.rule == PacketRule::MaterialVoxels)
     , rays(OwnRays(scene, piece))
     , walk(scene, this->rays, piece.x, piece.y)
     , material(scene, this->rays)
     , lattice(this->rays, 1.0f, -0.5f, scene.volume.voxelCount)
     , box(this->lattice.At(this->rays.enter))
+    , around{ AllConstituents(piece.scene) }
+    , sky(scene, this->around)
   {
   }
   Constituent(const Constituent&) = delete;
@@ -197,11 +198,9 @@ private:
     {
       return All(1.0f);
     }
-    const VoxelsAmongOthers voxels{ this->all };
-    return OpenSky<VoxelsAmongOthers>(this->scene, voxels)
-      .At(this->material.OutsideOf(
-            slope, this->isOfBoxes ? this->box.cell : this->rays.At(t), voxels),
-        mask);
+    return this->sky.At(this->material.OutsideOf(
+                          slope, this->isOfBoxes ? this->box.cell : this->rays.At(t), this->around),
+      mask);
   }
 
   // A box has the same properties in all parts.
@@ -375,14 +374,15 @@ private:
 
   Constituent* before;
   const PacketScene& scene;
-  AllConstituents all;
   bool isOfBoxes;
   PacketRays rays; ///< in its own grid, cut to its box; Never for rays outside
   PacketWalk walk;
   PacketMaterial material;
   PacketLattice lattice; ///< lattice of boxes
   LatticePlace box;      ///< the one that contains the segment
-  bool isSeen = false;   ///< the last sample: the next is then read with its gradient at once
+  VoxelsAmongOthers around;
+  mutable OpenSky<VoxelsAmongOthers> sky; ///< follows the places along the rays
+  bool isSeen = false; ///< the last sample: the next is then read with its gradient at once
 };
 
 }
