@@ -118,7 +118,7 @@ void Pixels::JudgeAll()
 
 void Pixels::RefineOne(std::size_t i)
 {
-  constexpr int Finest = 16;
+  constexpr int Finest = 8;
   constexpr double Known = 0.05; // a part of the tolerance
   const double tolerance = this->scene.errorTolerance;
   JudgedPixel& one = this->pixels[i];

@@ -108,7 +108,7 @@ void BeginLitPetOverCt(PromiseScene& scene)
 void Occlude(PromiseScene& scene)
 {
   scene.AddHeadLight();
-  scene.side = std::min(scene.side, 24);
+  scene.side = std::min(scene.side, 16);
   scene.Mapper()->SetAmbientOcclusion(scene.dice.Between(0.4, 1.0));
   scene.Mapper()->SetAmbientOcclusionReach(
     scene.dice.Between(3.0, 8.0) * scene.Image()->GetSpacing()[0]);

@@ -101,7 +101,7 @@ void AddPromiseCommand(CLI::App& program, const std::string& commandText)
     ->check(OneOf(KindNames()));
   app
     ->add_option("--size", arguments->options.side,
-      "Height and width of all pictures (default: that of each kind)")
+      "Largest height and width of pictures (default: those of each kind)")
     ->check(CLI::Range(2, 1024).description(""))
     ->type_name("PIXELS");
   app->add_option("-o,--output", arguments->outputFolder, "The folder for the report")

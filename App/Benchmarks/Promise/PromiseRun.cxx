@@ -83,7 +83,7 @@ void DrawSized(const PromiseKind& kind, std::uint64_t seed, int side, vtkOpenGLR
 {
   PromiseScene scene(DiceSeed(kind, seed), window);
   kind.make(scene);
-  scene.side = side > 0 ? side : scene.side;
+  scene.side = side > 0 ? std::min(scene.side, side) : scene.side;
   onPicture(PictureOf(scene, kind, seed, 0));
   for (std::size_t i = 0; i < scene.edits.size(); ++i)
   {
