@@ -83,6 +83,12 @@ MaskVoxels MaskVoxelsOf(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty
   {
     throw std::runtime_error("The mask has no scalars of one component");
   }
+  if (labels->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::runtime_error("The mask has " + std::to_string(labels->GetNumberOfTuples()) +
+      " values: expected one for each of its " + std::to_string(image->GetNumberOfPoints()) +
+      " voxels");
+  }
   MaskVoxels mask;
   mask.labels = labels;
   int* const dimensions = image->GetDimensions();

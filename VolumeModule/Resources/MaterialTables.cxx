@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace varimarch
 {
@@ -64,6 +65,12 @@ TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)
   {
     throw std::runtime_error("The transfer function of two values is missing: expected an image of "
                              "four components");
+  }
+  if (colors->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::runtime_error("The transfer function of two values has " +
+      std::to_string(colors->GetNumberOfTuples()) + " entries: expected one for each of the " +
+      std::to_string(image->GetNumberOfPoints()) + " points of its image");
   }
   const int* const dimensions = image->GetDimensions();
   TwoValueTable table{ { std::max(dimensions[0], 2), std::max(dimensions[1], 2) }, {} };
