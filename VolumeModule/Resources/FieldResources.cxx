@@ -107,7 +107,7 @@ bool FieldResources::BeginsField(const FieldInputs& inputs, FieldSource& source)
   {
     return false;
   }
-  this->builds += this->madeFrom && this->madeFrom->ShowsSame(source) ? 0 : 1;
+  this->builds += this->madeFrom && ShowSame(*this->madeFrom, source) ? 0 : 1;
   this->madeFrom.reset();
   this->UpdateRanges(inputs);
   return true;

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace varimarch
@@ -28,21 +29,27 @@ struct FieldSource
   Marcher marcher = Marcher::Device;
   std::vector<double> isovalues = {};
   glm::ivec3 towards = glm::ivec3(0); ///< The ray directions it is for, see FieldDirections.
-
-  bool operator==(const FieldSource& other) const
-  {
-    return this->ShowsSame(other) && this->towards == other.towards;
-  }
-
-  /// True if the same bricks are invisible, regardless of ray directions.
-  bool ShowsSame(const FieldSource& other) const
-  {
-    return this->isovalues == other.isovalues && this->acceleration == other.acceleration &&
-      this->volumeBuild == other.volumeBuild && this->tableBuild == other.tableBuild &&
-      this->maskBuild == other.maskBuild && this->tolerance == other.tolerance &&
-      this->sense == other.sense && this->marcher == other.marcher;
-  }
 };
+
+inline auto FieldsOf(const FieldSource& source)
+{
+  const auto& [acceleration, volumeBuild, tableBuild, maskBuild, tolerance, sense, marcher,
+    isovalues, towards] = source;
+  return std::tie(acceleration, volumeBuild, tableBuild, maskBuild, tolerance, sense, marcher,
+    isovalues, towards);
+}
+
+inline bool operator==(const FieldSource& one, const FieldSource& other)
+{
+  return FieldsOf(one) == FieldsOf(other);
+}
+
+/// True if the same bricks are invisible, regardless of ray directions.
+inline bool ShowSame(FieldSource one, const FieldSource& other)
+{
+  one.towards = other.towards;
+  return one == other;
+}
 
 /// The mapping from the steps of a field of extremes to values.
 struct ExtremeSteps
