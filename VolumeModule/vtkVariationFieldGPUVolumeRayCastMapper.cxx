@@ -1,6 +1,6 @@
 #include "vtkVariationFieldGPUVolumeRayCastMapper.h"
 
-#include "Frame/FrameBuilder.h"
+#include "Frame/MissingFeatures.h"
 #include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
 

@@ -1,6 +1,7 @@
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "Frame/FrameBuilder.h"
+#include "Frame/MissingFeatures.h"
 #include "Frame/NumberCheck.h"
 #include "Frame/RendererVolumes.h"
 #include "Frame/SelectorScope.h"
@@ -30,7 +31,6 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace
 {

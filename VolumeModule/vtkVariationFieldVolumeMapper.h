@@ -26,6 +26,12 @@
  * intensity, additive, isosurface and slice. Each has VTK's meaning, in the limit of a sample
  * distance that tends to 0.
  *
+ * Transfer functions mean what GetValue() and GetColor() of VTK's classes return, limited to [0,
+ * 1], with all of their flags but colours of annotated values (IndexedLookup), which VTK's volume
+ * mappers ignore too, and NaN colours. The opacity of a unit distance is multiplied by the gradient
+ * opacity at the magnitude of the central differences per mean spacing. As in VTK, a quarter of the
+ * range of all finite values is the largest such magnitude; the function at it holds beyond.
+ *
  * Voxels that are not finite (NaN, infinity) have no value. Cells that touch one are transparent,
  * unless NanOpacity is above 0, and do not count in projections. Next to them only ambient light
  * applies. Volumes without such voxels pay nothing for this.

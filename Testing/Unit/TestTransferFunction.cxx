@@ -240,6 +240,40 @@ TEST(OpticalTable, ALoneStepSeparatesTheValuesBesideIt)
   EXPECT_NEAR(LookUp(table, 255.0).a, std::log(2.0), 1e-6);
 }
 
+TEST(TransferFunction, NodesWithNoNumberBetweenThemMakeAStepWhoseValueIsRight)
+{
+  const double below = std::nextafter(7.0, 0.0);
+  const TransferFunction function = OpacityCurve({ { below, 0.2 }, { 7.0, 0.6 }, { 9.0, 0.6 } });
+  EXPECT_EQ(function.Opacity(below), 0.2);
+  EXPECT_EQ(function.Opacity(7.0), 0.6);
+  ASSERT_EQ(function.Steps().size(), 1u);
+  EXPECT_EQ(function.Steps().front().value, 7.0);
+  EXPECT_FALSE(function.Steps().front().valueIsLeft);
+  EXPECT_TRUE(function.HasStepAt(7.0));
+  EXPECT_FALSE(function.IsPiecewiseLinear());
+  EXPECT_EQ(function.SmallestNodeGap(), 2.0);
+}
+
+TEST(OpticalTable, WholeNumbersAtStepsAreOnTheSideToWhichTheyBelong)
+{
+  const auto below = [](double value) { return std::nextafter(value, -infinity); };
+  const TransferFunction function(
+    { { below(2.0), glm::dvec3(0.1) }, { 2.0, glm::dvec3(0.2) }, { 5.0, glm::dvec3(0.2) },
+      { 5.0, glm::dvec3(0.4) }, { 9.0, glm::dvec3(0.5) }, { 9.0, glm::dvec3(0.9) } },
+    { { 0.0, 0.5 } }, 1.0);
+  for (const double largest : { 9.0, 10.0, 255.0, 65535.0 })
+  {
+    const OpticalTable table = BuildOpticalTable(function, 0.0, largest);
+    for (const double value : { 0.0, 1.0, 1.99, 2.0, 2.01, 4.0, 5.0, 5.99, 8.0, 9.0, 10.0 })
+    {
+      const bool isInRange = value <= largest && (largest < 300.0 || value == std::round(value));
+      EXPECT_NEAR(
+        isInRange ? LookUp(table, value).r : function.Color(value).r, function.Color(value).r, 1e-5)
+        << value << " of " << largest;
+    }
+  }
+}
+
 TEST(OpticalTable, SpansOnlyTheValuesBetweenWhichTheLookChanges)
 {
   const TransferFunction function({ { -1e20, glm::dvec3(0.0) }, { 300.0, glm::dvec3(1.0) } },

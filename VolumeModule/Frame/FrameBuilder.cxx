@@ -9,8 +9,6 @@
 #include "Frame/OverlappingVolumes.h"
 #include "Frame/QualityChoices.h"
 #include "Frame/SurfaceChoices.h"
-#include "Frame/UserShaderCode.h"
-#include "VtkVersions.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkDataArray.h"
@@ -109,12 +107,6 @@ glm::dvec4 GapOptical(const glm::dvec3& color, double opacity, double unitDistan
   const TransferFunction material({ { 0.0, color } }, { { 0.0, opacity } }, unitDistanceMm);
   const double extinction = std::min(material.Extinction(0.0), double(OpaqueExtinction));
   return glm::dvec4(material.Color(0.0), extinction);
-}
-
-bool HasComponents(vtkVariationFieldVolumeMapper* mapper, int port)
-{
-  const std::optional<MapperInput> input = InputOf(mapper, port);
-  return input && input->scalars->GetNumberOfComponents() > 1;
 }
 
 // Requires the view, the voxels, the property and the lights.
@@ -232,22 +224,6 @@ void ChooseAveraged(const MapperNumbers& numbers, Frame& frame)
   }
 }
 
-// Sentences about settings that VTK 9.1 does not have.
-std::string MissingNewFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume)
-{
-  std::string missing;
-  if (ShadesByOpacity(mapper))
-  {
-    missing += "Normals of the opacity (ComputeNormalFromOpacity) are not supported yet. ";
-  }
-  if (WritesDepth(volume))
-  {
-    missing +=
-      "Depths of a volume in the depth buffer (GLDepthMaskOverride) are not supported yet. ";
-  }
-  return missing;
-}
-
 DeviceRequest DeviceOf(vtkVariationFieldVolumeMapper* mapper)
 {
   DeviceRequest device;
@@ -316,58 +292,13 @@ std::optional<Frame> BuildFrame(vtkVariationFieldVolumeMapper* mapper, vtkRender
       frames.push_back(std::move(*frame));
     }
   }
-  return frames.size() > 1 ? JoinFrames(std::move(frames), mapper)
-    : frames.empty()       ? std::nullopt
-                           : std::optional<Frame>(std::move(frames.front()));
-}
-
-std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume)
-{
-  bool twoValues = false;
-  bool labels = false;
-  for (const VolumeOfPort& one : VolumesOfPorts(mapper, volume))
+  if (frames.empty())
   {
-    const bool hasComponents = HasComponents(mapper, one.port);
-    const int mode = one.volume->GetProperty()->GetTransferFunctionMode();
-    twoValues = twoValues ||
-      (mode == vtkVolumeProperty::TF_2D &&
-        (mapper->GetBlendMode() != vtkVolumeMapper::COMPOSITE_BLEND || hasComponents));
-    const bool hasSecondArray = mode == vtkVolumeProperty::TF_2D &&
-      mapper->GetTransfer2DYAxisArray() && *mapper->GetTransfer2DYAxisArray();
-    labels = labels ||
-      (mapper->GetMaskInput() && (hasComponents || hasSecondArray) &&
-        mapper->GetMaskType() == vtkVariationFieldVolumeMapper::LabelMapMaskType);
+    return std::nullopt;
   }
-  std::string missing;
-  if (twoValues)
-  {
-    missing +=
-      "Transfer functions of two values are supported only for composites of one component. ";
-  }
-  if (labels)
-  {
-    missing += "Label maps are supported only for volumes of one component, without a second "
-               "array of values. ";
-  }
-  return missing + MissingNewFeatures(mapper, volume) + MissingShaderCode(volume);
-}
-
-std::string UnsupportedFeature(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-{
-  try
-  {
-    BuildFrame(mapper, renderer, volume);
-  }
-  catch (const std::invalid_argument&)
-  {
-    return {}; // No mapper can draw numbers without a meaning, and this one says which they are.
-  }
-  catch (const std::exception& problem)
-  {
-    return problem.what();
-  }
-  return MissingFeatures(mapper, volume);
+  Frame frame =
+    frames.size() > 1 ? JoinFrames(std::move(frames), mapper) : std::move(frames.front());
+  return frame;
 }
 
 }

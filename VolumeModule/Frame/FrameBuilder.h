@@ -4,7 +4,6 @@
 #include "Frame/Frame.h"
 
 #include <optional>
-#include <string>
 
 class vtkImageData;
 class vtkRenderer;
@@ -20,15 +19,6 @@ namespace varimarch
 /// @throws std::runtime_error with a sentence for the user, if the input cannot be drawn
 std::optional<Frame> BuildFrame(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
   vtkVolume* volume, vtkImageData* instead = nullptr);
-
-/// Sentences that name the requested features which an image would lack, each followed by a space.
-/// Empty if the image would have all of them.
-std::string MissingFeatures(vtkVariationFieldVolumeMapper* mapper, vtkVolume* volume);
-
-/// Sentences that say why a request cannot be drawn, or not with all of its features. Empty if it
-/// can.
-std::string UnsupportedFeature(
-  vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 }
 

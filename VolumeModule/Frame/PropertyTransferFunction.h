@@ -6,6 +6,7 @@
 
 #include "VarimarchVolumeModule.h"
 
+#include <string>
 #include <vector>
 
 class vtkPiecewiseFunction;
@@ -14,9 +15,7 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// The transfer function that a property's curves describe for a component. It is exact: it has
-/// VTK's midpoints and sharpness, gray or colour nodes, and a step to zero at the ends of a curve
-/// without clamping. Only colour spaces other than linear RGB are sampled finely between nodes.
+/// The transfer function that a property's curves describe for a component, as CurveNodes.h says.
 VARIMARCHVOLUME_EXPORT TransferFunction TransferFunctionOf(
   vtkVolumeProperty* property, int component = 0);
 
@@ -29,6 +28,11 @@ TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label)
 
 /// VTK's opacity curve as a transfer function without colours.
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
+
+/// Sentences that name what an image of a property's curves lacks, each followed by a space; empty
+/// if it lacks nothing.
+/// @param components  the number of components that have curves of their own
+std::string MissingFunctionFeatures(vtkVolumeProperty* property, int components);
 
 /// Everything that the transfer function of a component is made from.
 Fingerprint TransferFunctionInputs(vtkVolumeProperty* property, int component);

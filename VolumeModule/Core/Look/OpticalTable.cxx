@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -22,16 +23,97 @@ namespace
 // lies between two entries.
 constexpr double EntriesPerNodeGap = 32.0;
 
+/// True if a function bends visibly between a node and a value one entry behind it.
+/// @param nodes  the nodes from that one on
+bool Bends(const TransferFunction& transferFunction, std::vector<double>::const_iterator node,
+  std::vector<double>::const_iterator end, double gap)
+{
+  constexpr double Visible = 1.0 / 256.0;
+  const auto lookAt = [&](double value)
+  { return glm::dvec4(transferFunction.Color(value), transferFunction.Opacity(value)); };
+  const double first = *node;
+  const glm::dvec4 before = lookAt(first);
+  const glm::dvec4 change = lookAt(first + gap) - before;
+  for (; node != end && *node < first + gap; ++node)
+  {
+    const glm::dvec4 off = glm::abs(lookAt(*node) - before - change * ((*node - first) / gap));
+    if (std::max({ off.r, off.g, off.b, off.a }) > Visible)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if three nodes in a range lie between two entries that are much farther apart. Two nodes
+/// are a step, and three that are not so close are a peak, unless they only follow a curve.
+/// @param gap  the distance of the entries
+bool MissesCurve(const TransferFunction& transferFunction, ValueRange range, double gap)
+{
+  constexpr double MuchFarther = 256.0;
+  std::vector<double> nodes = transferFunction.NodeValues();
+  const auto isOutside = [&](double value) { return value < range.lower || range.upper < value; };
+  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), isOutside), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end(), AreSidesOfStep), nodes.end());
+  for (std::size_t i = 2; i < nodes.size(); ++i)
+  {
+    if (MuchFarther * (nodes[i] - nodes[i - 2]) < gap &&
+      Bends(transferFunction, nodes.begin() + std::ptrdiff_t(i) - 2, nodes.end(), gap))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The values between which the entries of a table lie that tell something apart.
+struct TableSpan
+{
+  double first;      ///< the value of an entry
+  double last;       ///< the value of an entry, if all entries are exact there; else near it
+  int entriesBefore; ///< 1 if the look just below `first` is another, which needs one more entry
+  int entriesBehind; ///< 1 if the look just above `last` is another
+
+  double Length() const { return this->last - this->first; }
+  int EntriesBeside() const { return this->entriesBefore + this->entriesBehind; }
+};
+
+/// The part of a range of values in which a function changes.
+TableSpan SpanOf(const TransferFunction& transferFunction, ValueRange values)
+{
+  const ValueRange changing =
+    transferFunction.ChangingValues().value_or(ValueRange{ values.lower, values.lower });
+  TableSpan span{ std::max(values.lower, changing.lower), std::min(values.upper, changing.upper), 0,
+    0 };
+  for (const Step& step : transferFunction.Steps())
+  {
+    // Just below a value that is on the right side of its step, the look begins to change there.
+    if (!step.valueIsLeft && AreSidesOfStep(changing.lower, step.value) &&
+      values.lower < step.value && step.value <= values.upper)
+    {
+      span.first = step.value;
+      span.entriesBefore = 1;
+    }
+    if (step.valueIsLeft && step.value == changing.upper && values.lower <= step.value &&
+      step.value < values.upper)
+    {
+      span.entriesBehind = 1;
+    }
+  }
+  return span;
+}
+
 /// A power of two with enough entries between neighbouring nodes, within the limits.
 /// @param finest  the width of the ramp that replaces a step
-std::size_t EntryCount(
-  double length, double finest, const TransferFunction& transferFunction, std::size_t mostEntries)
+std::size_t EntryCount(const TableSpan& span, double finest,
+  const TransferFunction& transferFunction, std::size_t mostEntries)
 {
   // A ramp moves an opaque surface; more entries move it less. Fewer than usual suffice if nothing
   // but the step changes: in finer ones, the rounding of an index would cross it.
   const bool step = transferFunction.HasStep();
-  const double wanted =
-    step ? length / finest : EntriesPerNodeGap * length / transferFunction.SmallestNodeGap();
+  const double wanted = step
+    ? span.Length() / finest + span.EntriesBeside()
+    : EntriesPerNodeGap * span.Length() / transferFunction.SmallestNodeGap();
   std::size_t count = step ? 2 : 1024;
   while (double(count) < wanted && 2 * count <= mostEntries)
   {
@@ -40,36 +122,21 @@ std::size_t EntryCount(
   return std::max<std::size_t>(std::min(count, mostEntries), 2);
 }
 
-/// True if three nodes in a range lie between two entries that are much farther apart. Two nodes
-/// are a step, and three that are not so close are a peak.
-/// @param gap  the distance of the entries
-bool MissesCurve(const TransferFunction& transferFunction, ValueRange range, double gap)
+/// The distance of the entries of a table. Voxels of integers may have the very value of a step,
+/// which belongs to one of its sides: where steps are at whole numbers, there are entries too.
+double EntryGap(
+  const TableSpan& span, double finest, const std::vector<Step>& steps, std::size_t count)
 {
-  constexpr double MuchFarther = 256.0;
-  std::vector<double> nodes = transferFunction.NodeValues();
-  const auto isOutside = [&](double value) { return value < range.lower || range.upper < value; };
-  nodes.erase(std::remove_if(nodes.begin(), nodes.end(), isOutside), nodes.end());
-  for (std::size_t i = 2; i < nodes.size(); ++i)
+  if (!(span.Length() > 0.0))
   {
-    if (MuchFarther * (nodes[i] - nodes[i - 2]) < gap)
-    {
-      return true;
-    }
+    return finest;
   }
-  return false;
-}
-
-/// The part of a range of values in which a function changes; it is empty if nothing changes there.
-/// @param finest  the width of the ramp that replaces a step
-ValueRange TableRange(const TransferFunction& transferFunction, ValueRange values, double finest)
-{
-  const ValueRange nothing{ values.lower, values.lower };
-  const ValueRange changing = transferFunction.ChangingValues().value_or(nothing);
-  // A step at the end needs one more entry, unless it lies before all values.
-  const bool endsInStep =
-    changing.upper >= values.lower && transferFunction.HasStepAt(changing.upper);
-  const double end = endsInStep ? changing.upper + finest : changing.upper;
-  return { std::max(values.lower, changing.lower), std::min(values.upper, end) };
+  const double gap =
+    span.Length() / std::max(double(count) - 1.0 - double(span.EntriesBeside()), 1.0);
+  const auto isWhole = [](double value) { return value == std::round(value); };
+  const bool areWhole = !steps.empty() && isWhole(span.first) &&
+    std::all_of(steps.begin(), steps.end(), [&](const Step& step) { return isWhole(step.value); });
+  return areWhole && gap < 1.0 ? 1.0 / std::floor(1.0 / gap) : gap;
 }
 
 glm::vec4 OpticalEntry(const TransferFunction& transferFunction, double value)
@@ -85,7 +152,7 @@ std::vector<double> OpacityNodesIn(
   std::vector<double> values;
   for (const OpacityNode& node : transferFunction.Opacities())
   {
-    const bool known = !values.empty() && values.back() == node.value;
+    const bool known = !values.empty() && AreSidesOfStep(values.back(), node.value);
     if (lower < node.value && node.value < upper && !known)
     {
       values.push_back(node.value);
@@ -152,24 +219,26 @@ OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double 
   }
 
   const double finest = largestValue / mostEntries - smallestValue / mostEntries;
-  const auto [first, last] = TableRange(transferFunction, { smallestValue, largestValue }, finest);
-  if (!(last - first > SmallestDifference))
+  const TableSpan span = SpanOf(transferFunction, { smallestValue, largestValue });
+  if (!(span.Length() > SmallestDifference) && span.EntriesBeside() == 0)
   {
     const glm::vec4 everywhere = OpticalEntry(transferFunction, smallestValue);
     return { smallestValue, largestValue, { everywhere, everywhere } };
   }
 
-  const std::size_t count = EntryCount(last - first, finest, transferFunction, mostEntries);
-  const double gap = (last - first) / double(count - 1);
+  const std::vector<Step> steps = transferFunction.Steps();
+  const std::size_t count = EntryCount(span, finest, transferFunction, mostEntries);
+  const double gap = EntryGap(span, finest, steps, count);
+  const double first = span.first - span.entriesBefore * gap;
+  const double last = first + double(count - 1) * gap;
   OpticalTable table{ first, last, std::vector<glm::vec4>(count),
     MissesCurve(transferFunction, { first, last }, gap) };
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
-    [&, lower = first, upper = last](const tbb::blocked_range<std::size_t>& range)
+    [&](const tbb::blocked_range<std::size_t>& range)
     {
       for (std::size_t i = range.begin(); i < range.end(); ++i)
       {
-        const double fraction = double(i) / double(count - 1);
-        const double value = (1.0 - fraction) * lower + fraction * upper;
+        const double value = SnappedToStep(steps, first + double(i) * gap, 1e-6 * gap);
         const bool isEnd = i == 0 || i == count - 1;
         table.entries[i] = isEnd && !IsOpaqueInPassing(transferFunction, value, gap)
           ? OpticalEntry(transferFunction, value)

@@ -113,25 +113,40 @@ std::optional<ValueRange> ChangesOf(const std::vector<Node>& nodes, Ordinate ord
 }
 
 template <class Node>
-bool HasStepIn(const std::vector<Node>& nodes)
+void AppendSteps(const std::vector<Node>& nodes, std::vector<Step>& steps)
 {
-  const auto isStep = [](const Node& node, const Node& next)
-  { return node.value == next.value || node.shape.sharpness > LargestSmoothSharpness; };
-  return std::adjacent_find(nodes.begin(), nodes.end(), isStep) != nodes.end();
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+  {
+    const Node& left = nodes[i - 1];
+    const Node& right = nodes[i];
+    if (AreSidesOfStep(left.value, right.value))
+    {
+      steps.push_back({ right.value, left.value == right.value });
+    }
+    else if (left.shape.sharpness > LargestSmoothSharpness)
+    {
+      steps.push_back({ HalfWayValue(left.value, right.value, left.shape), false });
+    }
+  }
 }
 
-template <class Node>
-bool HasStepIn(const std::vector<Node>& nodes, double value)
-{
-  const auto isThere = [&](const Node& node) { return node.value == value; };
-  return std::count_if(nodes.begin(), nodes.end(), isThere) > 1;
 }
 
+bool AreSidesOfStep(double leftValue, double rightValue)
+{
+  return rightValue <= std::nextafter(leftValue, std::numeric_limits<double>::infinity());
 }
 
 double HalfWayValue(double leftValue, double rightValue, const NodeShape& shape)
 {
   return leftValue + SafeMidpoint(shape) * (rightValue - leftValue);
+}
+
+double SnappedToStep(const std::vector<Step>& steps, double value, double distance)
+{
+  const auto next = std::lower_bound(steps.begin(), steps.end(), value - distance,
+    [](const Step& step, double limit) { return step.value < limit; });
+  return next != steps.end() && next->value <= value + distance ? next->value : value;
 }
 
 TransferFunction::TransferFunction(
@@ -242,14 +257,26 @@ std::optional<ValueRange> TransferFunction::ChangingValues() const
   return changing;
 }
 
+std::vector<Step> TransferFunction::Steps() const
+{
+  std::vector<Step> steps;
+  AppendSteps(this->colors, steps);
+  AppendSteps(this->opacities, steps);
+  std::sort(steps.begin(), steps.end(),
+    [](const Step& one, const Step& other) { return one.value < other.value; });
+  return steps;
+}
+
 bool TransferFunction::HasStep() const
 {
-  return HasStepIn(this->colors) || HasStepIn(this->opacities);
+  return !this->Steps().empty();
 }
 
 bool TransferFunction::HasStepAt(double value) const
 {
-  return HasStepIn(this->colors, value) || HasStepIn(this->opacities, value);
+  const std::vector<Step> steps = this->Steps();
+  return std::any_of(
+    steps.begin(), steps.end(), [&](const Step& step) { return step.value == value; });
 }
 
 bool TransferFunction::IsPiecewiseLinear() const
@@ -259,7 +286,8 @@ bool TransferFunction::IsPiecewiseLinear() const
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     {
       const NodeShape& shape = nodes[i].shape;
-      if (shape.midpoint != 0.5 || shape.sharpness != 0.0 || nodes[i].value == nodes[i + 1].value)
+      if (shape.midpoint != 0.5 || shape.sharpness != 0.0 ||
+        AreSidesOfStep(nodes[i].value, nodes[i + 1].value))
       {
         return false;
       }
@@ -275,7 +303,8 @@ double TransferFunction::SmallestNodeGap() const
   const std::vector<double> values = this->NodeValues();
   for (std::size_t i = 1; i < values.size(); ++i)
   {
-    smallest = std::min(smallest, values[i] - values[i - 1]);
+    const bool areApart = !AreSidesOfStep(values[i - 1], values[i]);
+    smallest = areApart ? std::min(smallest, values[i] - values[i - 1]) : smallest;
   }
   return smallest;
 }

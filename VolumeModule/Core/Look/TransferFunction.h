@@ -25,6 +25,9 @@ struct NodeShape
 /// right side.
 double HalfWayValue(double leftValue, double rightValue, const NodeShape& shape);
 
+/// True if no number lies between the values of two neighbouring nodes.
+bool AreSidesOfStep(double leftValue, double rightValue);
+
 struct OpacityNode
 {
   double value;   ///< in units of the data
@@ -39,9 +42,22 @@ struct ColorNode
   NodeShape shape = {};
 };
 
+/// A jump of a curve at a value, which itself belongs to one of its sides.
+struct Step
+{
+  double value;
+  bool valueIsLeft; ///< True if the value looks like those just below it.
+};
+
+/// The value of a step that is nearer than a distance, or else the value itself: a computed value
+/// that rounding may have moved off a step.
+/// @param steps  ascending by value
+double SnappedToStep(const std::vector<Step>& steps, double value, double distance);
+
 /// A map from scalar value to colour and extinction: piecewise curves through nodes, constant
 /// beyond the first and last. Two nodes at the same value make a step; that value belongs to its
-/// left side.
+/// left side. If no number lies between the values of two nodes, they make a step whose value, that
+/// of the right node, belongs to its right side.
 class TransferFunction
 {
 public:
@@ -69,6 +85,9 @@ public:
   /// values look alike. Colours do not count where the opacity is 0.
   std::optional<ValueRange> ChangingValues() const;
 
+  /// The jumps of the curves of colour and opacity, ascending by value.
+  std::vector<Step> Steps() const;
+
   /// True if the curve of colour or opacity jumps anywhere, or at a value.
   bool HasStep() const;
   bool HasStepAt(double value) const;
@@ -79,7 +98,8 @@ public:
   /// The values of all nodes, ascending and without duplicates.
   std::vector<double> NodeValues() const;
 
-  /// Smallest distance between two nodes at different values; infinite if there are none.
+  /// Smallest distance between two nodes that are not the sides of a step; infinite if there are
+  /// none.
   double SmallestNodeGap() const;
 
   const std::vector<ColorNode>& Colors() const { return this->colors; }
