@@ -155,6 +155,65 @@ TEST_P(GradientOpacityOfTorso, IsThatOfTheReference)
   EXPECT_LT(error.largest, 10.0);
 }
 
+namespace
+{
+
+// Waves of values from 0.1 to 0.9, with one other voxel.
+vtkSmartPointer<vtkImageData> WavesWith(double fill)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(12, 12, 12);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* voxels = static_cast<float*>(image->GetScalarPointer());
+  for (int i = 0; i < 12 * 12 * 12; ++i)
+  {
+    const double z = i / 144 * 0.3;
+    voxels[i] = float(0.5 + 0.4 * std::sin(i % 12 * 0.7) * std::cos(i / 12 % 12 * 0.5 + z));
+  }
+  voxels[11] = float(fill);
+  return image;
+}
+
+// The waves with gradients from a value on, seen away from the other voxel.
+std::vector<float> WavesByGradients(double fill, double gradient, bool byProcessor)
+{
+  MapperScene scene(WavesWith(fill), 32);
+  scene.LookDown({ 4.0, 6.0, 5.5 }, 3.5);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(0.0, 0.9, 0.6, 0.4);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(0.1, 0.02);
+  scene.opacities->AddPoint(0.9, 0.3);
+  vtkNew<vtkPiecewiseFunction> factors;
+  factors->AllowDuplicateScalarsOn();
+  factors->AddPoint(0.0, 0.0);
+  factors->AddPoint(gradient, 0.0);
+  factors->AddPoint(gradient, 1.0);
+  factors->AddPoint(gradient + 0.4, 1.0);
+  scene.volume->GetProperty()->SetGradientOpacity(factors);
+  return byProcessor ? scene.DrawByProcessor() : scene.Draw();
+}
+
+}
+
+TEST(GradientOpacity, StepsWhereItDoesHoweverFarOneVoxelIs)
+{
+  for (const bool byProcessor : { false, true })
+  {
+    for (const double gradient : { 0.12, 0.0 })
+    {
+      const std::vector<float> plain = WavesByGradients(0.5, gradient, byProcessor);
+      ASSERT_GT(*std::max_element(plain.begin(), plain.end()), 0.1f);
+      for (const double fill : { -32768.0, -1e6, -1e20, 1e30, double(INFINITY), double(NAN) })
+      {
+        const std::vector<float> picture = WavesByGradients(fill, gradient, byProcessor);
+        const ImageError error = CompareImages(picture.data(), plain.data(), plain.size() / 4);
+        EXPECT_LT(error.largest, 4.0) << fill << ", gradient " << gradient;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(ShadedOrNot, GradientOpacityOfTorso, testing::Values(false, true));
 
 TEST(GradientOpacity, TakesItsShaderAndTableOnlyWhereItIs)
