@@ -31,17 +31,6 @@
 namespace varimarch
 {
 
-/// The blending of scattered and reflected light, [0, 2]; 0 before VTK 9.2.
-inline double ScatteringBlendingOf(vtkGPUVolumeRayCastMapper* mapper)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  return mapper->GetVolumetricScatteringBlending();
-#else
-  (void)mapper;
-  return 0.0;
-#endif
-}
-
 /// The mean cosine of the angle by which matter turns light, [-1, 1]; 0 before VTK 9.2.
 inline double ScatteringAnisotropyOf(vtkVolumeProperty* property)
 {
@@ -53,14 +42,17 @@ inline double ScatteringAnisotropyOf(vtkVolumeProperty* property)
 #endif
 }
 
-/// The reach of global illumination, [0, 1]; 0 before VTK 9.2.
-inline double IlluminationReachOf(vtkGPUVolumeRayCastMapper* mapper)
+/// Copies the blending of scattered light and the reach of global illumination; since VTK 9.2.
+/// @param to  any class with these settings; they stay as they are before VTK 9.2
+template <class Mapper>
+void CopyScattering(vtkGPUVolumeRayCastMapper* from, Mapper* to)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  return mapper->GetGlobalIlluminationReach();
+  to->SetVolumetricScatteringBlending(from->GetVolumetricScatteringBlending());
+  to->SetGlobalIlluminationReach(from->GetGlobalIlluminationReach());
 #else
-  (void)mapper;
-  return 0.0;
+  (void)from;
+  (void)to;
 #endif
 }
 

@@ -136,8 +136,7 @@ void vtkVariationFieldGPUVolumeRayCastMapper::ForwardSettings()
   mapper->SetUseJittering(this->UseJittering);
   mapper->SetFinalColorWindow(this->FinalColorWindow);
   mapper->SetFinalColorLevel(this->FinalColorLevel);
-  mapper->SetVolumetricScatteringBlending(varimarch::ScatteringBlendingOf(this));
-  mapper->SetGlobalIlluminationReach(varimarch::IlluminationReachOf(this));
+  varimarch::CopyScattering(this, mapper);
   varimarch::CopyShadingByOpacity(this, mapper);
 }
 

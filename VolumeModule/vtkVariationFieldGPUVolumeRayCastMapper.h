@@ -51,8 +51,8 @@ public:
 
   /**
    * The mapper that draws. Use it for settings that VTK's mapper does not have, such as error
-   * tolerance and acceleration. Settings that both have are overwritten by this class for each
-   * frame.
+   * tolerance and acceleration, and scattering before VTK 9.2. Settings that both have are
+   * overwritten by this class for each frame.
    */
   vtkVariationFieldVolumeMapper* GetVariationFieldMapper();
 

@@ -14,6 +14,7 @@
 #include <vtkShortArray.h>
 #include <vtkUniformGrid.h>
 #include <vtkVariationFieldGPUVolumeRayCastMapper.h>
+#include <vtkVersionMacros.h>
 
 #include <gtest/gtest.h>
 
@@ -170,6 +171,20 @@ TEST(GPUAdapter, DrawsWhatTheMapperItOwnsDrawsAlone)
   EXPECT_EQ(Drawn(scene, adapter, Nothing), alone);
   EXPECT_STREQ(adapter->GetReasonForVtkMapper(), "");
   EXPECT_GT(adapter->GetVariationFieldMapper()->GetEstimatedError(), 0.0) << "no error tolerance";
+}
+
+// Settings that VTK's class has only since 9.2.
+TEST(GPUAdapter, KeepsTheScatteringThatVtksClassLacks)
+{
+  MapperScene scene(SmallTorso(), 16);
+  vtkNew<vtkVariationFieldGPUVolumeRayCastMapper> adapter;
+  vtkVariationFieldVolumeMapper* const owned = adapter->GetVariationFieldMapper();
+  owned->SetVolumetricScatteringBlending(0.7);
+  owned->SetGlobalIlluminationReach(0.4);
+  Drawn(scene, adapter, Nothing);
+  const bool hasScattering = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
+  EXPECT_FLOAT_EQ(owned->GetVolumetricScatteringBlending(), hasScattering ? 0.0 : 0.7);
+  EXPECT_FLOAT_EQ(owned->GetGlobalIlluminationReach(), hasScattering ? 0.0 : 0.4);
 }
 
 TEST(GPUAdapter, KeepsTheToleranceWhenTheDistanceIsLockedToTheSpacing)
