@@ -1,16 +1,20 @@
 #include "Frame/RendererVolumes.h"
 
+#include "Frame/DrawnPart.h"
 #include "vtkVariationFieldGPUVolumeRayCastMapper.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkCamera.h"
-#include "vtkMath.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace varimarch
 {
@@ -18,30 +22,43 @@ namespace varimarch
 namespace
 {
 
-// The place of a volume in the order of drawing: smaller is drawn earlier.
-struct Place
+// A volume and the order of drawing that its place suggests: smaller is drawn earlier.
+struct Placed
 {
-  double nearness; ///< minus the distance from the camera
-  double inside;   ///< minus the length of the box's diagonal: what surrounds another comes first
-  const vtkVolume* volume;
+  vtkVolume* volume;
+  DrawnPart part;
+  float nearness;  ///< minus the distance from the camera; centres may differ by rounding
+  double openness; ///< minus the size: what surrounds another comes first
 
-  bool operator<(const Place& other) const
+  bool operator<(const Placed& other) const
   {
-    return std::tie(this->nearness, this->inside, this->volume) <
-      std::tie(other.nearness, other.inside, other.volume);
+    return std::tie(this->nearness, this->openness) < std::tie(other.nearness, other.openness);
   }
 };
 
-// The distance of a volume's centre from the camera; in a parallel projection, along the view.
-double DistanceOf(vtkVolume* volume, vtkCamera* camera)
+// The distance of a place from the camera; in a parallel projection, along the view.
+double DistanceOf(const glm::dvec3& place, vtkCamera* camera)
 {
-  double position[3];
-  camera->GetPosition(position);
-  double fromCamera[3];
-  vtkMath::Subtract(volume->GetCenter(), position, fromCamera);
+  const glm::dvec3 fromCamera = place - glm::make_vec3(camera->GetPosition());
   return camera->GetParallelProjection()
-    ? vtkMath::Dot(fromCamera, camera->GetDirectionOfProjection())
-    : vtkMath::Norm(fromCamera);
+    ? glm::dot(fromCamera, glm::make_vec3(camera->GetDirectionOfProjection()))
+    : glm::length(fromCamera);
+}
+
+Placed PlacedIn(vtkVolume* volume, vtkCamera* camera)
+{
+  DrawnPart part = DrawnPartOf(volume);
+  const double distance = DistanceOf(part.Center(), camera);
+  const double length = part.Length();
+  return { volume, std::move(part), -float(distance), -length };
+}
+
+// True if no other volume is known to be behind one.
+bool IsFarthest(const Placed& one, const std::vector<Placed>& all, vtkCamera* camera)
+{
+  return std::none_of(all.begin(), all.end(),
+    [&](const Placed& other)
+    { return SidesOf(one.part, other.part, camera) == Sides::FirstInFront; });
 }
 
 }
@@ -62,7 +79,8 @@ bool IsLeftToVtk(vtkVolume* volume, vtkRenderer* renderer)
 
 std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer)
 {
-  std::vector<vtkVolume*> volumes;
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  std::vector<Placed> left;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
@@ -72,16 +90,21 @@ std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer)
     if (volume && DrawingMapper(volume) && volume->GetVisibility() &&
       volume->GetMapper()->GetDataObjectInput())
     {
-      volumes.push_back(volume);
+      left.push_back(PlacedIn(volume, camera));
     }
   }
-  vtkCamera* const camera = renderer->GetActiveCamera();
-  // The centres of nested boxes may differ by rounding.
-  const auto placeOf = [&](vtkVolume* volume) {
-    return Place{ -float(DistanceOf(volume, camera)), -volume->GetLength(), volume };
-  };
-  std::sort(volumes.begin(), volumes.end(),
-    [&](vtkVolume* one, vtkVolume* other) { return placeOf(one) < placeOf(other); });
+  std::stable_sort(left.begin(), left.end());
+
+  // The first that covers no other is drawn next; where all cover each other in a ring, the first.
+  std::vector<vtkVolume*> volumes;
+  while (!left.empty())
+  {
+    const auto farthest = std::find_if(
+      left.begin(), left.end(), [&](const Placed& one) { return IsFarthest(one, left, camera); });
+    const auto next = farthest == left.end() ? left.begin() : farthest;
+    volumes.push_back(next->volume);
+    left.erase(next);
+  }
   return volumes;
 }
 

@@ -19,9 +19,10 @@ vtkVariationFieldVolumeMapper* DrawingMapper(vtkVolume* volume);
 /// Chooses the mapper for the next frame of a volume with a DrawingMapper. True for VTK's own.
 bool IsLeftToVtk(vtkVolume* volume, vtkRenderer* renderer);
 
-/// The visible volumes of a renderer that have a DrawingMapper, sorted by the
-/// distance of their centres from the camera, farthest first, and at the same distance by the size
-/// of their boxes, largest first. The order does not depend on that in which they were added.
+/// The visible volumes of a renderer that have a DrawingMapper, in the order in which they are
+/// drawn. If a plane separates what cuts leave of two volumes, that beyond the plane comes first.
+/// Others are sorted by the distance of the centres of what is left from the camera, farthest
+/// first, then by its size, largest first, and at last in the order in which they were added.
 std::vector<vtkVolume*> VolumesBackToFront(vtkRenderer* renderer);
 
 /// The time of the last change that may affect their order or their visibility.
