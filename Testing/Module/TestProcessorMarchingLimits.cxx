@@ -8,7 +8,11 @@
 #include <vtkPointData.h>
 #include <vtkShaderProperty.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -98,29 +102,6 @@ INSTANTIATE_TEST_SUITE_P(EveryOther, ProcessorMarchingIsNotFor,
       {
         s.volume->GetShaderProperty()->AddFragmentShaderReplacement("//Varimarch::Window", true,
           "vec4 Windowed(vec4 picture) { return picture.bgra; }", false);
-      } },
-    Change{ "IntegersThatNoFloatIs",
-      [](MapperScene& s)
-      {
-        vtkNew<vtkImageShiftScale> shifted;
-        shifted->SetInputData(s.image);
-        shifted->SetShift(1 << 25);
-        shifted->SetOutputScalarTypeToInt();
-        shifted->Update();
-        s.mapper->SetInputData(shifted->GetOutput());
-        ShowUpperValues(s, shifted->GetOutput());
-      } },
-    Change{ "IntegersBetweenWhichFloatsAreFew",
-      [](MapperScene& s)
-      {
-        vtkNew<vtkImageShiftScale> shifted;
-        shifted->SetInputData(s.image);
-        shifted->SetShift(1e9);
-        shifted->SetScale(0.01);
-        shifted->SetOutputScalarTypeToInt();
-        shifted->Update();
-        s.mapper->SetInputData(shifted->GetOutput());
-        ShowUpperValues(s, shifted->GetOutput());
       } }),
   NameOf);
 
@@ -137,34 +118,98 @@ TEST_F(ProcessorMarching, IsNotForMaximaInImages)
     0.0);
 }
 
-// Shaders shift and scale the values first, so that products and differences keep their precision.
-TEST_F(ProcessorMarching, LeavesFloatsInOddUnitsToShaders)
+namespace
 {
-  struct Unit
+
+// The torso with values * scale + shift.
+vtkSmartPointer<vtkImageData> TorsoInUnits(int type, double scale, double shift)
+{
+  const vtkSmartPointer<vtkImageData> torso = SmallTorso();
+  const auto scaled = vtkSmartPointer<vtkImageData>::New();
+  scaled->CopyStructure(torso);
+  scaled->AllocateScalars(type, 1);
+  vtkDataArray* const from = torso->GetPointData()->GetScalars();
+  vtkDataArray* const to = scaled->GetPointData()->GetScalars();
+  for (vtkIdType i = 0; i < from->GetNumberOfTuples(); ++i)
   {
-    double scale;
-    double shift;
-    bool isPlain;
-  };
-  for (const Unit& unit : { Unit{ 1e-20, 0.0, false }, Unit{ 1e-9, 0.0, true },
-         Unit{ 1e9, 0.0, true }, Unit{ 1e18, 0.0, false }, Unit{ 1.0, 1e7, false } })
+    to->SetComponent(i, 0, from->GetComponent(i, 0) * scale + shift);
+  }
+  return scaled;
+}
+
+struct Units
+{
+  const char* name;
+  int type;
+  double scale;
+  double shift;
+};
+
+const std::vector<Units> OddValues = {
+  { "small floats", VTK_FLOAT, 1e-20, 0.0 },
+  { "floats", VTK_FLOAT, 1e-9, 0.0 },
+  { "large floats", VTK_FLOAT, 1e9, 0.0 },
+  { "very large floats", VTK_FLOAT, 1e18, 0.0 },
+  { "floats far from zero", VTK_FLOAT, 1.0, 1e7 },
+  { "doubles far from zero", VTK_DOUBLE, 1e-4, 1e6 },
+  { "integers that no float is", VTK_INT, 1.0, 1 << 25 },
+  { "integers between which floats are few", VTK_INT, 0.01, 1e9 },
+  { "unsigned integers up to 4e9", VTK_UNSIGNED_INT, 1e6, 2e9 },
+  { "unsigned integers near 4e9", VTK_UNSIGNED_INT, 1.0, 4e9 },
+  { "integers of 64 bits", VTK_LONG_LONG, 1e12, 0.0 },
+  { "integers of 64 bits far from zero", VTK_LONG_LONG, 1.0, 1e15 },
+  { "unsigned integers of 64 bits", VTK_UNSIGNED_LONG_LONG, 1e9, 1e13 },
+};
+
+}
+
+// Numbers that floats cannot represent are shifted and scaled first, as for shaders, so that
+// products and differences keep their precision.
+TEST_F(ProcessorMarching, DrawsValuesThatFloatsCannotRepresent)
+{
+  for (const Units& values : OddValues)
   {
-    vtkNew<vtkImageShiftScale> scaled;
-    scaled->SetInputData(SmallTorso());
-    scaled->SetScale(unit.scale);
-    scaled->SetShift(unit.shift);
-    scaled->SetOutputScalarTypeToFloat();
-    scaled->Update();
-    MapperScene scene(scaled->GetOutput());
+    SCOPED_TRACE(values.name);
+    const vtkSmartPointer<vtkImageData> image =
+      TorsoInUnits(values.type, values.scale, values.shift);
+    MapperScene scene(image);
     ShowUpperValues(scene);
     scene.volume->GetProperty()->ShadeOn();
-    SCOPED_TRACE(unit.scale);
-    EXPECT_EQ(ByProcessor(scene), unit.isPlain);
-    if (unit.isPlain)
-    {
-      ExpectSamePicture(scene);
-    }
+    ExpectSamePicture(scene);
+    scene.volume->GetProperty()->ShadeOff();
+    scene.mapper->SetBlendModeToMaximumIntensity();
+    ExpectSamePicture(scene);
+    scene.mapper->SetBlendModeToIsoSurface();
+    double range[2];
+    image->GetScalarRange(range);
+    scene.volume->GetProperty()->GetIsoSurfaceValues()->SetValue(
+      0, 0.3 * range[0] + 0.7 * range[1]);
+    ExpectSamePicture(scene);
   }
+}
+
+TEST_F(ProcessorMarching, DrawsSeveralComponentsOfWhichOneIsFarFromZero)
+{
+  std::vector<std::vector<float>> pictures;
+  for (const double shift : { 0.0, double(1 << 25) })
+  {
+    vtkNew<vtkImageAppendComponents> pairs;
+    pairs->AddInputData(TorsoInUnits(VTK_INT, 1.0, shift));
+    pairs->AddInputData(TorsoInUnits(VTK_INT, 1.0, 0.0));
+    pairs->Update();
+    MapperScene scene(pairs->GetOutput());
+    ShowUpperValues(scene, TorsoInUnits(VTK_INT, 1.0, shift));
+    vtkNew<vtkPiecewiseFunction> second;
+    second->AddPoint(100.0, 0.0);
+    second->AddPoint(1000.0, 0.3);
+    scene.volume->GetProperty()->SetScalarOpacity(1, second);
+    pictures.push_back(scene.DrawByProcessor());
+    EXPECT_TRUE(scene.ShaderParts().empty()) << "a shader has drawn it";
+  }
+  const varimarch::ImageError difference =
+    varimarch::CompareImages(pictures[0].data(), pictures[1].data(), pictures[0].size() / 4);
+  EXPECT_LT(difference.rootMeanSquare, 0.05);
+  EXPECT_LT(difference.percentile999, 0.5);
 }
 
 // Shaders know which gradients depend on NaN values.
@@ -187,34 +232,84 @@ TEST_F(ProcessorMarching, LeavesGradientsBesideGapsToShaders)
   }
 }
 
-// A value is interpolated between two voxels along each axis, that of a spline between four.
-TEST_F(ProcessorMarching, LeavesThinSlabsToShaders)
+namespace
 {
-  struct Slab
+
+// Values that rise along all axes.
+vtkSmartPointer<vtkImageData> SlopesOf(const std::array<int, 3>& dimensions, int type)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(dimensions.data());
+  image->AllocateScalars(type, 1);
+  for (int z = 0; z < dimensions[2]; ++z)
   {
-    int slices;
-    bool cubic;
-    bool isThick;
-  };
-  for (const Slab& slab : { Slab{ 1, false, false }, Slab{ 2, false, true }, Slab{ 3, true, false },
-         Slab{ 4, true, true } })
-  {
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(9, 9, slab.slices);
-    image->AllocateScalars(VTK_SHORT, 1);
-    short* const voxels = static_cast<short*>(image->GetScalarPointer());
-    for (int i = 0; i < 81 * slab.slices; ++i)
+    for (int y = 0; y < dimensions[1]; ++y)
     {
-      voxels[i] = short(100 * (i % 9) + 50 * (i / 81));
+      for (int x = 0; x < dimensions[0]; ++x)
+      {
+        const double wave = 40.0 * std::sin(1.1 * x + 0.7 * y + 0.5 * z);
+        image->SetScalarComponentFromDouble(
+          x, y, z, 0, 500.0 + 10.0 * x + 7.0 * y + 5.0 * z + wave);
+      }
     }
-    MapperScene scene(image);
-    scene.mapper->SetCubicInterpolation(slab.cubic);
-    ShowUpperValues(scene);
-    SCOPED_TRACE(slab.slices);
-    EXPECT_EQ(ByProcessor(scene), slab.isThick);
-    if (slab.isThick)
+  }
+  return image;
+}
+
+void ShowAllValues(MapperScene& scene)
+{
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(400.0, 0.4);
+  scene.opacities->AddPoint(900.0, 0.8);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(400.0, 0.8, 0.3, 0.2);
+  scene.colors->AddRGBPoint(900.0, 0.2, 0.9, 1.0);
+}
+
+}
+
+TEST_F(ProcessorMarching, DrawsVolumesOfOneVoxelAlongAnAxis)
+{
+  const std::vector<std::array<int, 3>> sizes = { { 1, 1, 1 }, { 2, 1, 1 }, { 1, 1, 30 },
+    { 24, 24, 1 }, { 1, 13, 11 } };
+  for (const std::array<int, 3>& size : sizes)
+  {
+    for (const int type : { VTK_SHORT, VTK_LONG_LONG })
     {
+      SCOPED_TRACE(::testing::PrintToString(size) + " of type " + std::to_string(type));
+      MapperScene scene(SlopesOf(size, type), 32);
+      ShowAllValues(scene);
       ExpectSamePicture(scene);
     }
+  }
+}
+
+TEST_F(ProcessorMarching, DrawsASliceInEveryWay)
+{
+  MapperScene scene(SlopesOf({ 24, 24, 1 }, VTK_SHORT), 32);
+  ShowAllValues(scene);
+  vtkVolumeProperty* const property = scene.volume->GetProperty();
+  property->SetInterpolationTypeToNearest();
+  ExpectSamePicture(scene);
+  property->SetInterpolationTypeToLinear();
+  property->ShadeOn();
+  ExpectSamePicture(scene);
+  scene.mapper->SetAmbientOcclusion(0.8);
+  EXPECT_TRUE(ByProcessor(scene));
+  scene.mapper->SetAmbientOcclusion(0.0);
+  scene.mapper->SetBlendModeToMaximumIntensity();
+  ExpectSamePicture(scene);
+}
+
+// A value of a spline lies between four voxels along each axis.
+TEST_F(ProcessorMarching, LeavesThinSplinesToShaders)
+{
+  for (const int slices : { 1, 3, 4 })
+  {
+    SCOPED_TRACE(slices);
+    MapperScene scene(SlopesOf({ 9, 9, slices }, VTK_SHORT));
+    ShowAllValues(scene);
+    scene.mapper->CubicInterpolationOn();
+    EXPECT_EQ(ByProcessor(scene), slices == 4);
   }
 }

@@ -117,11 +117,10 @@ MarchedVolume VolumeOfShaders(const VolumeMarch& march, const VolumeResources& v
   return marched;
 }
 
-MarchedVolume VolumeOfProcessor(const VolumeMarch& march, const VolumeResources& volume)
+MarchedVolume VolumeOfProcessor(const VolumeResources& volume)
 {
-  return { Mappings(volume.Blocks().TexelsOfComponents().size()),
-    { glm::ivec3(0), march.frame.geometry.dimensions }, volume.Fields().OfBricks().Size(),
-    volume.Packets().GapCells() };
+  return { volume.Packets().Mappings(), { glm::ivec3(0), volume.Packets().VoxelCount() },
+    volume.Fields().OfBricks().Size(), volume.Packets().GapCells() };
 }
 
 VolumeParameters VolumeParametersOf(

@@ -26,8 +26,9 @@ struct MarchedVolume
 MarchedVolume VolumeOfShaders(const VolumeMarch& march, const VolumeResources& volume,
   const VolumeBlock* block, const VoxelRegion& voxels);
 
-/// The form that the processor reads: scalars are values of the data.
-MarchedVolume VolumeOfProcessor(const VolumeMarch& march, const VolumeResources& volume);
+/// The form that the processor reads: scalars are values of the data where floats can represent
+/// these.
+MarchedVolume VolumeOfProcessor(const VolumeResources& volume);
 
 /// The parameters of a volume. Requires all its resources for the frame.
 VolumeParameters VolumeParametersOf(

@@ -36,9 +36,39 @@ bool CopyNumbers(const void* source, int stride, vtkIdType count, void* target)
   return allFinite;
 }
 
-// CopyNumbers for types that are chosen at run time, so that the parallel loop is compiled only
-// once.
+/// Copies scalars with a stride as texels, which are 0 where a scalar is not finite.
+/// @return true if all are finite
+template <class Scalar>
+bool CopyTexels(
+  const void* source, int stride, vtkIdType count, void* target, const TexelMapping& mapping)
+{
+  const auto* const scalars = static_cast<const Scalar*>(source);
+  auto* const texels = static_cast<float*>(target);
+  bool allFinite = true;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double texel = mapping.TexelOf(double(scalars[i * stride]));
+    const bool isFinite = std::isfinite(double(scalars[i * stride]));
+    texels[i] = isFinite ? float(std::clamp(texel, -LargestTexel, LargestTexel)) : 0.0f;
+    allFinite = allFinite && isFinite;
+  }
+  return allFinite;
+}
+
+// CopyNumbers and CopyTexels for types that are chosen at run time, so that the parallel loop is
+// compiled only once.
 using NumberCopier = bool (*)(const void* source, int stride, vtkIdType count, void* target);
+using TexelCopier = bool (*)(
+  const void* source, int stride, vtkIdType count, void* target, const TexelMapping& mapping);
+
+TexelCopier TexelCopierFrom(int vtkType)
+{
+  switch (vtkType)
+  {
+    vtkTemplateMacro(return &CopyTexels<VTK_TT>);
+  }
+  return nullptr;
+}
 
 /// @param vtkType  a numeric type
 template <class Number>
@@ -67,15 +97,16 @@ NumberCopier NumberCopierOf(int fromType, int toType)
   return nullptr;
 }
 
-/// @param type  VTK_FLOAT, VTK_DOUBLE, or the component's own type
-ComponentCopy CopyAs(int type, const VoxelComponent& component)
+/// @param type  the type of the copy
+/// @param copyNumbers  copies a number of values with a stride
+template <class Copier>
+ComponentCopy CopyBy(const Copier& copyNumbers, int type, const VoxelComponent& component)
 {
   const vtkIdType count = component.array->GetNumberOfTuples();
   ComponentCopy copy;
   copy.array.TakeReference(vtkDataArray::CreateDataArray(type));
   copy.array->SetNumberOfTuples(count);
 
-  const NumberCopier copyNumbers = NumberCopierOf(component.array->GetDataType(), type);
   const int stride = component.array->GetNumberOfComponents();
   const auto* const scalars =
     static_cast<const char*>(component.array->GetVoidPointer(component.index));
@@ -97,6 +128,12 @@ ComponentCopy CopyAs(int type, const VoxelComponent& component)
   return copy;
 }
 
+/// @param type  VTK_FLOAT, VTK_DOUBLE, or the component's own type
+ComponentCopy CopyAs(int type, const VoxelComponent& component)
+{
+  return CopyBy(NumberCopierOf(component.array->GetDataType(), type), type, component);
+}
+
 }
 
 ComponentCopy CopyAsItIs(const VoxelComponent& component)
@@ -107,6 +144,14 @@ ComponentCopy CopyAsItIs(const VoxelComponent& component)
 ComponentCopy CopyAsFloats(const VoxelComponent& component)
 {
   return CopyAs(VTK_FLOAT, component);
+}
+
+ComponentCopy CopyAsTexels(const VoxelComponent& component, const TexelMapping& mapping)
+{
+  const TexelCopier copyTexels = TexelCopierFrom(component.array->GetDataType());
+  const auto copy = [&](const void* source, int stride, vtkIdType count, void* target)
+  { return copyTexels(source, stride, count, target, mapping); };
+  return CopyBy(copy, VTK_FLOAT, component);
 }
 
 ComponentCopy CopyAsDoubles(const VoxelComponent& component)

@@ -20,6 +20,8 @@ struct ComponentCopy
 
 VARIMARCHVOLUME_EXPORT ComponentCopy CopyAsItIs(const VoxelComponent& component);
 VARIMARCHVOLUME_EXPORT ComponentCopy CopyAsFloats(const VoxelComponent& component);
+/// Copies scalars as floats by a mapping, limited to +-LargestTexel.
+ComponentCopy CopyAsTexels(const VoxelComponent& component, const TexelMapping& mapping);
 ComponentCopy CopyAsDoubles(const VoxelComponent& component);
 
 }

@@ -2,6 +2,7 @@
 
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/PropertyTransferFunction.h"
+#include "Resources/ProcessorVolume.h"
 #include "Resources/ValueFocus.h"
 
 #include "vtkOpenGLRenderWindow.h"
@@ -60,7 +61,7 @@ void MaterialResources::Update(const VolumeMarch& march, const std::vector<Scala
     march.plan.marcher == Marcher::Device && varimarch::MergesValues(march.frame, texels);
   this->gradientOpacity.Update(march, texels);
   this->UpdateLights(march);
-  this->UpdateIsosurfaces(march, texels.front().mapping);
+  this->UpdateIsosurfaces(march, texels);
 }
 
 void MaterialResources::UpdateOpticalTable(
@@ -175,13 +176,15 @@ void MaterialResources::UpdateLights(const VolumeMarch& march)
   this->lights.Update(march.frame.view.window, march.plan.marcher);
 }
 
-void MaterialResources::UpdateIsosurfaces(const VolumeMarch& march, const TexelMapping& mapping)
+void MaterialResources::UpdateIsosurfaces(
+  const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
 {
-  const bool isOfDevice = march.plan.marcher == Marcher::Device;
+  const TexelMapping mapping = march.plan.marcher == Marcher::Device
+    ? texels.front().mapping
+    : MappingsForPackets(texels, march.frame.voxels.components).front();
   this->isosurfaces.Set(march.frame.view.window,
-    march.settings.blend == Blend::Isosurface
-      ? IsosurfaceEntriesOf(march.frame, isOfDevice ? mapping : TexelMapping())
-      : std::vector<glm::vec4>());
+    march.settings.blend == Blend::Isosurface ? IsosurfaceEntriesOf(march.frame, mapping)
+                                              : std::vector<glm::vec4>());
   this->isosurfaces.Update(march.frame.view.window, march.plan.marcher);
 }
 

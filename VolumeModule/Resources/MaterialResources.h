@@ -56,7 +56,7 @@ private:
   /// Sets the function of two values, and returns the largest extinction of each first value.
   OpticalTable BuildTwoValues(const VolumeMarch& march, const ScalarTexels& texels);
   void UpdateLights(const VolumeMarch& march);
-  void UpdateIsosurfaces(const VolumeMarch& march, const TexelMapping& mapping);
+  void UpdateIsosurfaces(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
 
   OpticalTableTexture opticalTable;
   std::vector<MaterialTable> materialTables; ///< The functions in the optical table.

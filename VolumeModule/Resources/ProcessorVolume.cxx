@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace varimarch
 {
@@ -37,26 +38,105 @@ bool AreFinite(vtkDataArray* array)
   return finite;
 }
 
-// True if packets can read a component in place.
-bool IsReadInPlace(const VoxelComponent& component)
+// True if floats can represent the scalars directly.
+bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
 {
-  return VoxelTypeOf(component.array->GetDataType()) &&
-    component.array->GetNumberOfComponents() == 1;
+  constexpr double MostWhole = 1 << 24; // floats represent all integers up to this one
+  const double farthest = std::max(-texels.smallestScalar, texels.largestScalar);
+  if (texels.normalized)
+  {
+    constexpr double MostWidths = 1 << 12; // floats between these tell parts of their range apart
+    const double width = std::max(texels.largestScalar - texels.smallestScalar, 1.0);
+    return farthest <= MostWidths * width &&
+      (farthest <= MostWhole || VoxelTypeOf(array->GetDataType()));
+  }
+  constexpr double Large = 1e15;
+  const bool isConstant = texels.smallestScalar == texels.largestScalar && farthest <= MostWhole;
+  return (texels.mapping.offset == 0.0 || isConstant) && farthest <= Large &&
+    texels.mapping.scale >= 1.0 / Large;
 }
 
-ComponentCopy CopyForPackets(const VoxelComponent& component)
+// A copy in which each voxel that is alone along an axis is there twice.
+vtkSmartPointer<vtkDataArray> Doubled(vtkDataArray* voxels, const glm::ivec3& dimensions)
 {
-  return VoxelTypeOf(component.array->GetDataType()) ? CopyAsItIs(component)
-                                                     : CopyAsFloats(component);
+  const glm::ivec3 count = glm::max(dimensions, 2);
+  vtkSmartPointer<vtkDataArray> doubled;
+  doubled.TakeReference(vtkDataArray::CreateDataArray(voxels->GetDataType()));
+  doubled->SetNumberOfTuples(vtkIdType(count.x) * count.y * count.z);
+  const std::size_t bytes = voxels->GetDataTypeSize();
+  const std::size_t rowBytes = bytes * std::size_t(dimensions.x);
+  const auto* const source = static_cast<const char*>(voxels->GetVoidPointer(0));
+  auto* target = static_cast<char*>(doubled->GetVoidPointer(0));
+  for (int z = 0; z < count.z; ++z)
+  {
+    for (int y = 0; y < count.y; ++y)
+    {
+      const vtkIdType row =
+        vtkIdType(std::min(z, dimensions.z - 1)) * dimensions.y + std::min(y, dimensions.y - 1);
+      for (int copies = 0; copies < count.x / dimensions.x; ++copies)
+      {
+        target = std::copy_n(source + row * rowBytes, rowBytes, target);
+      }
+    }
+  }
+  return doubled;
 }
 
 }
 
-void ProcessorVolume::SetVoxels(const VoxelComponents& newComponents)
+std::vector<TexelMapping> MappingsForPackets(
+  const std::vector<ScalarTexels>& texels, const VoxelComponents& components)
+{
+  std::vector<TexelMapping> mappings;
+  bool arePlain = true;
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    mappings.push_back(texels[i].mapping);
+    arePlain = arePlain && IsPlain(texels[i], components[i].array);
+  }
+  return arePlain ? std::vector<TexelMapping>(components.size()) : mappings;
+}
+
+void ProcessorVolume::SetVoxels(
+  const VoxelComponents& newComponents, const glm::ivec3& newDimensions)
 {
   this->Release();
   this->components = newComponents;
+  this->dimensions = newDimensions;
+  this->mappings.assign(newComponents.size(), TexelMapping());
   this->voxelsAreFinite.reset();
+}
+
+void ProcessorVolume::SetTexels(const std::vector<ScalarTexels>& texels)
+{
+  std::vector<TexelMapping> newMappings = MappingsForPackets(texels, this->components);
+  if (!(newMappings == this->mappings))
+  {
+    this->Release();
+    this->voxelsAreFinite.reset();
+    this->mappings = std::move(newMappings);
+  }
+}
+
+bool ProcessorVolume::IsReadInPlace(std::size_t i) const
+{
+  vtkDataArray* const array = this->components[i].array;
+  return VoxelTypeOf(array->GetDataType()) && array->GetNumberOfComponents() == 1 &&
+    this->mappings[i] == TexelMapping() && this->VoxelCount() == this->dimensions;
+}
+
+ComponentCopy ProcessorVolume::CopyOf(std::size_t i) const
+{
+  const VoxelComponent& component = this->components[i];
+  ComponentCopy copy = !(this->mappings[i] == TexelMapping())
+    ? CopyAsTexels(component, this->mappings[i])
+    : VoxelTypeOf(component.array->GetDataType()) ? CopyAsItIs(component)
+                                                  : CopyAsFloats(component);
+  if (this->VoxelCount() != this->dimensions)
+  {
+    copy.array = Doubled(copy.array, this->dimensions);
+  }
+  return copy;
 }
 
 // A copy already knows whether its values are finite.
@@ -66,13 +146,12 @@ bool ProcessorVolume::AreFinite()
   {
     bool areFinite = true;
     this->copies.clear();
-    for (const VoxelComponent& component : this->components)
+    for (std::size_t i = 0; i < this->components.size(); ++i)
     {
-      this->copies.push_back(
-        IsReadInPlace(component) ? ComponentCopy() : CopyForPackets(component));
+      this->copies.push_back(this->IsReadInPlace(i) ? ComponentCopy() : this->CopyOf(i));
       const ComponentCopy& copy = this->copies.back();
-      areFinite =
-        areFinite && (copy.array ? copy.allFinite : varimarch::AreFinite(component.array));
+      areFinite = areFinite &&
+        (copy.array ? copy.allFinite : varimarch::AreFinite(this->components[i].array));
     }
     this->voxelsAreFinite = areFinite;
   }
@@ -97,9 +176,9 @@ void ProcessorVolume::UpdateVoxels(Marcher marcher)
   for (std::size_t i = 0; i < this->components.size(); ++i)
   {
     ComponentCopy& copy = this->copies[i];
-    if (!copy.array && !(areFinite && IsReadInPlace(this->components[i])))
+    if (!copy.array && !(areFinite && this->IsReadInPlace(i)))
     {
-      copy = CopyForPackets(this->components[i]);
+      copy = this->CopyOf(i);
     }
   }
 }

@@ -36,7 +36,7 @@ void VolumeResources::UpdateVoxels(const Frame& frame)
     this->allValues = isCubic ? VoxelValues{ this->spline.Components(), dimensions,
       this->spline.Texels(components), SplineReachVoxels }
                               : VoxelValues{ components, dimensions, ScalarTexelsOf(components) };
-    this->packets.SetVoxels(this->allValues.components);
+    this->packets.SetVoxels(this->allValues.components, dimensions);
   }
   this->SetValues(frame, areNew);
   this->voxels = std::move(newVoxels);
@@ -64,6 +64,7 @@ void VolumeResources::SetValues(const Frame& frame, bool areNew)
   if (areNew || values.texels != present)
   {
     this->Blocks().SetVoxels(values);
+    this->packets.SetTexels(values.texels);
     ++this->voxelsBuild;
   }
 }

@@ -5,9 +5,6 @@
 #include "Core/Recipe/ShaderRecipe.h"
 #include "March/Processor/PacketSceneBuilder.h"
 #include "March/Processor/SoftwareRasterizer.h"
-#include "Readers/VoxelLayout.h"
-
-#include "vtkDataArray.h"
 
 #include <algorithm>
 #include <set>
@@ -108,40 +105,25 @@ bool CanBeIndexed(const Frame& frame, VolumeResources& volume)
     (hasOnlyVoxels && HasNoGaps(frame, volume));
 }
 
-bool IsThickEnough(const Frame& frame)
+// True if packets can read the voxels although one may be alone along an axis, where it is there
+// twice. Masks and gaps have the places of voxels in memory.
+bool IsThickEnough(const Frame& frame, VolumeResources& volume)
 {
   const glm::ivec3& voxels = frame.geometry.dimensions;
-  return std::min({ voxels.x, voxels.y, voxels.z }) >= (frame.settings.cubic ? 4 : 2);
+  const int fewest = std::min({ voxels.x, voxels.y, voxels.z });
+  const RenderSettings& settings = frame.settings;
+  const bool hasVoxelsAlone =
+    settings.mask == Mask::None && !settings.uneven && HasNoGaps(frame, volume);
+  return settings.cubic ? fewest >= 4 : fewest >= 2 || hasVoxelsAlone;
 }
 
-// True if floats can represent the numbers directly. Shaders shift and scale numbers that are too
-// large, too small or too far from zero.
-bool IsPlain(const ScalarTexels& texels, vtkDataArray* array)
+// Coarser levels of a volume are read as they are.
+bool AreLevelsPlain(const Frame& frame, const VolumeResources& volume)
 {
-  constexpr double MostWhole = 1 << 24; // floats represent all integers up to this one
-  const double farthest = std::max(-texels.smallestScalar, texels.largestScalar);
-  if (texels.normalized)
-  {
-    constexpr double MostWidths = 1 << 12; // floats between these tell parts of their range apart
-    const double width = std::max(texels.largestScalar - texels.smallestScalar, 1.0);
-    return farthest <= MostWidths * width &&
-      (farthest <= MostWhole || VoxelTypeOf(array->GetDataType()));
-  }
-  constexpr double Large = 1e15;
-  const bool isConstant = texels.smallestScalar == texels.largestScalar && farthest <= MostWhole;
-  return (texels.mapping.offset == 0.0 || isConstant) && farthest <= Large &&
-    texels.mapping.scale >= 1.0 / Large;
-}
-
-bool HasPlainValues(const VolumeResources& volume)
-{
-  const VoxelComponents& components = volume.Blocks().Values().components;
-  bool arePlain = true;
-  for (std::size_t i = 0; i < components.size() && arePlain; ++i)
-  {
-    arePlain = IsPlain(volume.Blocks().TexelsOfComponents()[i], components[i].array);
-  }
-  return arePlain;
+  const std::vector<TexelMapping>& mappings = volume.Packets().Mappings();
+  return !frame.blockLevels ||
+    std::all_of(mappings.begin(), mappings.end(),
+      [](const TexelMapping& mapping) { return mapping == TexelMapping(); });
 }
 
 bool TakesGradients(const RenderSettings& settings)
@@ -162,8 +144,8 @@ bool HasPlainGaps(const Frame& frame, VolumeResources& volume)
 // True if packets can read one of the volumes of a frame.
 bool IsReadByPackets(const Frame& frame, VolumeResources& volume)
 {
-  return HasPacketRecipe(frame) && IsThickEnough(frame) && HasPlainValues(volume) &&
-    CanBeIndexed(frame, volume) && HasPlainGaps(frame, volume);
+  return HasPacketRecipe(frame) && AreLevelsPlain(frame, volume) && CanBeIndexed(frame, volume) &&
+    IsThickEnough(frame, volume) && HasPlainGaps(frame, volume);
 }
 
 }

@@ -164,7 +164,9 @@ PacketSurroundings PacketMarcher::SurroundingsOf(const Frame& frame, const March
   around.textures = this->resources.Textures();
   if (frame.settings.mask == Mask::Labels)
   {
-    around.labelRows = PacketRowsOf(this->resources.First().Materials().OpticalTables());
+    const VolumeResources& first = this->resources.First();
+    around.labelRows =
+      PacketRowsOf(first.Materials().OpticalTables(), first.Packets().Mappings().front());
   }
   if (Peels(plan.pass))
   {

@@ -132,12 +132,13 @@ PacketLook LookOf(const VolumeMarch& march, const VolumeResources& volume,
   return look;
 }
 
-std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables)
+std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables, const TexelMapping& mapping)
 {
   std::vector<PacketRow> rows;
   for (const OpticalTable& table : tables.Tables())
   {
-    const IndexInTable index = IndexOf(table, double(table.entries.size() - 1));
+    const IndexInTable index =
+      IndexOf(table, double(table.entries.size() - 1), mapping.scale, mapping.offset);
     rows.push_back({ table.entries.data(), int(table.entries.size()) - 1, float(index.scale),
       float(index.bias) });
   }
@@ -152,11 +153,11 @@ PacketScene PacketSceneOf(
   scene.rays = RayParametersOf(march, around.drawnBox);
   scene.rays.viewportOriginPixels = -march.plan.rayOffsetPixels;
   scene.rayTextures = around.textures;
-  scene.parameters = VolumeParametersOf(march, volume, VolumeOfProcessor(march, volume));
+  scene.parameters = VolumeParametersOf(march, volume, VolumeOfProcessor(volume));
   scene.textures = volume.Textures(march.settings, nullptr);
   vtkDataArray* const voxels = volume.Packets().Voxels();
   scene.volume = { voxels->GetVoidPointer(0), *VoxelTypeOf(voxels->GetDataType()),
-    march.settings.cubic, march.frame.geometry.dimensions };
+    march.settings.cubic, volume.Packets().VoxelCount() };
   scene.look = LookOf(march, volume, scene.parameters, 0, 0);
   scene.labelRows = around.labelRows.empty() ? nullptr : around.labelRows.data();
   scene.light = { ShadingOf(march.settings), march.settings.damping, march.settings.labelSurfaces,

@@ -23,7 +23,7 @@ struct PacketSurroundings
 };
 
 /// The tables of the labels of a mask.
-std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables);
+std::vector<PacketRow> PacketRowsOf(const OpticalTableTexture& tables, const TexelMapping& mapping);
 
 /// The scene of a march. It points into the frame, its resources and its surroundings.
 PacketScene PacketSceneOf(
