@@ -93,9 +93,11 @@ public:
   /**
    * The rule that integrates a composite between samples. If opacity or colour depend on gradients
    * or on several values, as shaded colours do, there are two rules: Midpoint, and one that is
-   * linear between samples and takes four parts per segment, which all others then mean. For these
-   * materials Automatic without an error tolerance is the latter. FirstHit searches in steps of an
-   * eighth of the sample distance, and draws nothing in front of what it finds. Default: Automatic.
+   * linear between samples and takes four parts per segment, which PreIntegrated and Simpson then
+   * mean. For these materials Automatic without an error tolerance is the latter, and PublishedSum
+   * and FirstHit, which are not defined for them, are an error; so they are for nearest
+   * interpolation and back to front. FirstHit searches in steps of an eighth of the sample
+   * distance, and draws nothing in front of what it finds. Default: Automatic.
    */
   vtkSetClampMacro(IntegrationRule, int, Automatic, FirstHit);
   vtkGetMacro(IntegrationRule, int);

@@ -57,6 +57,11 @@ def render(folder):
             "--integration", rule, "--sample-distance", "4")
         rules.add((folder / "a.png").read_bytes())
     assert len(rules) == 5, "two rules draw the same picture"
+    for rule, name in (("published-sum", "PublishedSum"), ("first-hit", "FirstHit")):
+        _, message = run("render", VOLUME, "-o", folder / "lit.png", "--size", "32x32", "--shade",
+                         "--integration", rule, expect=1)
+        assert f"The integration rule {name} is defined only for" in message, message
+        assert message.count("\n") == 1 and not (folder / "lit.png").exists(), message
     pictures = {}
     for option in (None, "--shade", "--no-shade"):
         run("render", VOLUME, "-o", folder / "a.png", "--size", "64x64", *filter(None, [option]))

@@ -65,10 +65,10 @@ void ForEveryRecipe(MapperScene& scene, Test test)
       scene.mapper->SetIntegrationRule(rule);
       test();
     }
+    scene.mapper->SetIntegrationRule(Mapper::Automatic); // light has no published rule
     property->ShadeOn();
     test();
     property->ShadeOff();
-    scene.mapper->SetIntegrationRule(Mapper::Automatic);
     for (int blend : { Mapper::MAXIMUM_INTENSITY_BLEND, Mapper::MINIMUM_INTENSITY_BLEND,
            Mapper::AVERAGE_INTENSITY_BLEND, Mapper::ADDITIVE_BLEND })
     {

@@ -5,6 +5,7 @@
 #include "Core/Fields/VariationField.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Module/HomogeneousScene.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <vector>
 
 using namespace varimarch;
 
@@ -327,6 +330,33 @@ TEST(SpanInPerspective, IsASphereAroundAnEyeInTheVolume)
         glm::length(glm::dvec3(slope(i % scene.size), slope(i / scene.size), 1.0));
       const double lengthMm = perDepth * HomogeneousScene::SideMm / 2.0 - FirstMm;
       ASSERT_NEAR(drawn[4 * i + 3], scene.Piece(lengthMm)[3], 1e-4) << "pixel " << i;
+    }
+  }
+}
+
+TEST(PublishedRules, AreRefusedWhereAnotherRuleWouldBeDrawn)
+{
+  const std::vector<std::function<void(TorsoScene&)>> changes = {
+    [](TorsoScene& scene) { scene.volume->GetProperty()->ShadeOn(); },
+    [](TorsoScene& scene) { scene.volume->GetProperty()->SetInterpolationTypeToNearest(); },
+    [](TorsoScene& scene) { scene.mapper->SetAmbientOcclusion(0.5); },
+    [](TorsoScene& scene) { scene.mapper->SetCompositingOrderToBackToFront(); },
+  };
+  for (const int rule : { Mapper::PublishedSum, Mapper::FirstHit })
+  {
+    const std::string name = rule == Mapper::FirstHit ? "FirstHit" : "PublishedSum";
+    for (std::size_t i = 0; i < changes.size(); ++i)
+    {
+      TorsoScene scene;
+      scene.mapper->SetIntegrationRule(rule);
+      changes[i](scene);
+      const ExpectedVtkErrors errors;
+      const std::vector<float> picture = scene.Draw();
+      EXPECT_EQ(*std::max_element(picture.begin(), picture.end()), 0.0f) << name << " " << i;
+      EXPECT_NE(errors.Text().find("The integration rule " + name), std::string::npos) << i;
+      scene.mapper->SetBlendModeToMaximumIntensity();
+      const std::vector<float> maximum = scene.Draw();
+      EXPECT_GT(*std::max_element(maximum.begin(), maximum.end()), 0.0f) << "it has no rule";
     }
   }
 }

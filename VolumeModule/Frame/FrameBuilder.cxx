@@ -298,6 +298,7 @@ std::optional<Frame> BuildFrame(vtkVariationFieldVolumeMapper* mapper, vtkRender
   }
   Frame frame =
     frames.size() > 1 ? JoinFrames(std::move(frames), mapper) : std::move(frames.front());
+  CheckIntegrationRule(mapper, frame.settings);
   return frame;
 }
 

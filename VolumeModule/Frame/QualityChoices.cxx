@@ -4,6 +4,9 @@
 #include "Frame/MapperNumbers.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace varimarch
 {
 
@@ -64,6 +67,22 @@ double ChosenSampleDistanceMm(const MapperNumbers& numbers, const Frame& frame)
     : numbers.sampleDistanceMm;
 }
 
+}
+
+void CheckIntegrationRule(vtkVariationFieldVolumeMapper* mapper, const RenderSettings& settings)
+{
+  const bool isSum = mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::PublishedSum;
+  const bool isPublished =
+    isSum || mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::FirstHit;
+  const bool dependsOnMore =
+    MarchesMaterial(settings) || !IsSampled(settings) || settings.fromBehind;
+  if (isPublished && settings.blend == Blend::Composite && dependsOnMore)
+  {
+    throw std::runtime_error(std::string("The integration rule ") +
+      (isSum ? "PublishedSum" : "FirstHit") +
+      " is defined only for interpolated values of one component, front to back, without light, "
+      "gradient opacity and labels: switch these off, as by ShadeOff, or choose another rule");
+  }
 }
 
 void ChooseQuality(
