@@ -4,6 +4,7 @@
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
+#include "Readers/ImageFacts.h"
 #include "Readers/Magnitude.h"
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Rectify.h"
@@ -73,39 +74,48 @@ bool IsNever(const std::string&)
 }
 
 constexpr bool decompresses = true;
+constexpr bool unpacked = false; ///< or decompressed before
+constexpr Subject patient = Subject::Patient;
+constexpr Subject patientOfKnownSides = Subject::PatientIfSidesAreKnown;
 
 // The first row whose signature matches is used, or else the first whose extension matches.
 const std::vector<VolumeFormat> formats = {
   { "OME-Zarr", "OME-Zarr and Zarr folders", { ".zarr", ".zattrs", ".zarray", ".zgroup" }, IsZarr,
     ReadZarr, HoldsZarr },
-  { "NRRD", "NRRD images", { ".nrrd", ".nhdr" }, TextAt(0, { "NRRD" }), ReadNrrd },
-  { "MetaImage", "MetaImages", { ".mha", ".mhd" }, IsMetaImage, ReadMetaImage },
+  { "NRRD", "NRRD images", { ".nrrd", ".nhdr" }, TextAt(0, { "NRRD" }), ReadNrrd, nullptr, unpacked,
+    patientOfKnownSides },
+  { "MetaImage", "MetaImages", { ".mha", ".mhd" }, IsMetaImage, ReadMetaImage, nullptr, unpacked,
+    patientOfKnownSides },
   { "NIfTI", "NIfTI and Analyze images", { ".nii", ".nii.gz", ".hdr", ".hdr.gz" }, IsNifti,
-    ReadNifti, nullptr, decompresses },
+    ReadNifti, nullptr, decompresses, patient },
   { "Analyze", "Voxels of NIfTI or Analyze beside a header", { ".img", ".img.gz" }, nullptr,
-    ReadNifti, nullptr, decompresses },
+    ReadNifti, nullptr, decompresses, patient },
   { "VTI", "VTK images", { ".vti" }, IsVti, ReadVti },
   { "PVTI", "VTK images in pieces", { ".pvti" }, IsPvti, ReadPvti },
   { "VTK", "VTK structured points", { ".vtk" }, IsLegacyVtk, ReadLegacyVtk },
-  { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom, HoldsDicom },
-  { "InVesalius", "InVesalius projects", { ".inv3" }, IsNever, ReadInv3, HoldsInv3 },
+  { "DICOM", "DICOM images", { ".dcm", ".dicom", ".ima" }, IsDicom, ReadDicom, HoldsDicom, unpacked,
+    patient },
+  { "InVesalius", "InVesalius projects", { ".inv3" }, IsNever, ReadInv3, HoldsInv3, unpacked,
+    patient },
   { "TIFF", "TIFF images", { ".tif", ".tiff", ".btf", ".tf8" }, IsTiff, ReadTiff },
   { "image stack", "Stacks of images", { ".png", ".jpg", ".jpeg", ".bmp" }, IsStackSlice,
     ReadImageStack, HoldsPictures },
   { "NumPy", "NumPy arrays", { ".npy" }, IsNpy, ReadNpy, nullptr, decompresses },
   { "MGH", "FreeSurfer images", { ".mgh", ".mgz", ".mgh.gz" }, IsMgh, ReadMgh, nullptr,
-    decompresses },
-  { "MINC", "MINC images", { ".mnc" }, IsMinc, ReadMinc },
+    decompresses, patient },
+  { "MINC", "MINC images", { ".mnc" }, IsMinc, ReadMinc, nullptr, unpacked, patient },
   { "HDF5", "HDF5, Imaris and BigDataViewer", { ".h5", ".hdf5", ".hdf", ".ims", ".xml" },
     IsHdf5OrBigDataViewer, ReadHdf5 },
-  { "AFNI", "AFNI images", { ".head" }, IsAfni, ReadAfni },
+  { "AFNI", "AFNI images", { ".head" }, IsAfni, ReadAfni, nullptr, unpacked, patient },
   { "AFNI voxels", "Voxels of AFNI beside a header", { ".brik", ".brik.gz" }, nullptr, ReadAfni,
-    nullptr, decompresses },
-  { "MIF", "MRtrix images", { ".mif", ".mih" }, IsMif, ReadMif },
-  { "PAR/REC", "Philips PAR/REC images", { ".par" }, IsPar, ReadParRec },
-  { "PAR/REC voxels", "Voxels of Philips PAR/REC beside a header", { ".rec" }, nullptr,
-    ReadParRec },
-  { "GIPL", "GIPL images", { ".gipl", ".gipl.gz" }, IsGipl, ReadGipl, nullptr, decompresses },
+    nullptr, decompresses, patient },
+  { "MIF", "MRtrix images", { ".mif", ".mih" }, IsMif, ReadMif, nullptr, unpacked, patient },
+  { "PAR/REC", "Philips PAR/REC images", { ".par" }, IsPar, ReadParRec, nullptr, unpacked,
+    patient },
+  { "PAR/REC voxels", "Voxels of Philips PAR/REC beside a header", { ".rec" }, nullptr, ReadParRec,
+    nullptr, unpacked, patient },
+  { "GIPL", "GIPL images", { ".gipl", ".gipl.gz" }, IsGipl, ReadGipl, nullptr, decompresses,
+    patient },
   { "MRC", "MRC and CCP4 maps", { ".mrc", ".mrcs", ".map", ".ccp4" }, IsMrc, ReadMrc, nullptr,
     decompresses },
   { "SLC", "SLC volumes", { ".slc" }, IsSlc, ReadSlc },
@@ -176,6 +186,21 @@ const VolumeFormat& FormatThatExplains(const std::string& path)
       isFolder ? DescribedFolder(path) : DescribedContent(head));
   }
   return *format;
+}
+
+/// Slices of tissue under a microscope are DICOM images too.
+bool IsMicroscopy(const std::string& modality)
+{
+  return modality == "SM" || modality == "GM";
+}
+
+bool IsAboutPatient(Subject subject, const Volume& volume)
+{
+  const auto& warnings = volume.warnings;
+  return !IsMicroscopy(volume.modality) &&
+    (subject == Subject::Patient ||
+      (subject == Subject::PatientIfSidesAreKnown &&
+        std::find(warnings.begin(), warnings.end(), UnknownSides) == warnings.end()));
 }
 
 /// Refuses the wish for a level or a channel of a format that has none.
@@ -261,6 +286,7 @@ Volume ReadUnrectified(const std::string& path, const ReadOptions& options, Read
   const VolumeFormat& format = found ? *found : FormatThatExplains(path);
   CheckHasParts(path, format, options);
   Volume volume = format.read(path, options, progress);
+  volume.showsPatient = volume.showsPatient || IsAboutPatient(format.subject, volume);
   TakeTimes(path, volume.times, options, volume);
   // ParaView shows such voxels by their magnitude too.
   const int componentCount = volume.image->GetNumberOfScalarComponents();
@@ -288,6 +314,7 @@ Volume ReadVolume(const std::string& path, const ReadOptions& options, ReadProgr
   {
     volume = Rectified(path, volume, rectifying);
   }
+  KeepFacts(volume, volume.image);
   progress.Report(1.0);
   return volume;
 }

@@ -10,6 +10,14 @@
 namespace varimarch
 {
 
+/// The subject of the files of a format.
+enum class Subject
+{
+  Anything,
+  PatientIfSidesAreKnown, ///< a patient if a file says which side is the left
+  Patient,
+};
+
 /// A file format: a row of the table in Formats.cxx. To add a format, write its Read function in
 /// its own file, declare it here, and add a row.
 struct VolumeFormat
@@ -27,6 +35,7 @@ struct VolumeFormat
   /// True if the reader decompresses files itself, so that only the first of several volumes needs
   /// to be; false if compressed files are unpacked before.
   bool decompresses = false;
+  Subject subject = Subject::Anything;
 };
 
 const std::vector<VolumeFormat>& VolumeFormats();

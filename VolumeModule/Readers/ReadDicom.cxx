@@ -138,6 +138,7 @@ Volume ReadDicom(const std::string& path, const ReadOptions& options, ReadProgre
   WarnOfFaults(FaultsOf(scan, series), warnings);
   Volume volume = IsSegmentation(series) ? ReadFirstSegmentation(series, decoding)
                                          : ReadSlices(path, series, options, decoding);
+  volume.holdsColors = volume.image->GetNumberOfScalarComponents() > 1;
   volume.warnings.insert(volume.warnings.begin(), warnings.begin(), warnings.end());
   return volume;
 }

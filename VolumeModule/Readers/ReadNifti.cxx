@@ -195,6 +195,7 @@ void ApplyRescale(const std::string& path, const NiftiHeader& header, Volume& vo
     rescale = { std::abs(rescale.slope), 0.0 };
   }
   const bool isColour = !isComplex && TypeOfCode(path, header.datatype).componentCount > 1;
+  volume.holdsColors = isColour;
   volume.image =
     Rescaled(path, volume.image, { IsRescaled(rescale) && !isColour ? rescale : Rescale() });
 }

@@ -11,6 +11,9 @@
 #include "Readers/Pyramids/ZarrHeader.h"
 #include "Readers/VoxelLayout.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -187,9 +190,10 @@ LevelImage ImageOfLevel(const PyramidOrder& order,
   return ReadLevel(order.path, *pyramid, level, progress);
 }
 
-Volume ReadPyramid(const PyramidOrder& order, ReadProgress& progress)
+/// The volume of one channel, without the warning that there are others.
+Volume ReadChannel(const PyramidOrder& order, const std::shared_ptr<const DecodedPyramid>& pyramid,
+  ReadProgress& progress)
 {
-  const auto pyramid = std::make_shared<const DecodedPyramid>(order, progress);
   const PyramidForm& form = pyramid->Form();
   const LevelChoice choice = LevelToRead(order, pyramid);
   const std::size_t level = choice.level;
@@ -209,6 +213,67 @@ Volume ReadPyramid(const PyramidOrder& order, ReadProgress& progress)
       " chunks are not stored; their voxels have the fill value of the array.");
   }
   PlaceImage(order.path, form.geometries[read.level], volume.image);
+  return volume;
+}
+
+/// True if all channels are wanted and can be read as a whole.
+bool ReadsAllChannels(
+  const PyramidOrder& order, const std::shared_ptr<const DecodedPyramid>& pyramid)
+{
+  const PyramidForm& form = pyramid->Form();
+  return form.channels.size() > 1 &&
+    double(form.channels.size()) * BytesOf(LayoutOf(form, LevelToRead(order, pyramid).level)) <=
+    MostReadBytes(order.options);
+}
+
+/// Reads the channels one after another, as components.
+Volume ReadAllChannels(const PyramidOrder& order,
+  const std::shared_ptr<const DecodedPyramid>& first, ReadProgress& progress)
+{
+  const std::size_t count = first->Form().channels.size();
+  Volume volume;
+  vtkSmartPointer<vtkImageData> joined;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    ReadProgress part = progress.Part(double(i) / double(count), double(i + 1) / double(count));
+    PyramidOrder ofChannel = order;
+    ofChannel.options.channel = int(i);
+    const Volume read = ReadChannel(
+      ofChannel, i == 0 ? first : std::make_shared<const DecodedPyramid>(ofChannel, part), part);
+    if (i == 0)
+    {
+      volume = read;
+      VoxelLayout layout = LayoutOf(first->Form(), 0);
+      std::copy_n(read.image->GetDimensions(), 3, layout.dimensions.begin());
+      layout.componentCount = std::int64_t(count);
+      CheckedByteCount(order.path, layout);
+      joined = AllocatedImage(layout);
+    }
+    joined->GetPointData()->GetScalars()->CopyComponent(
+      int(i), read.image->GetPointData()->GetScalars(), 0);
+  }
+  joined->SetOrigin(volume.image->GetOrigin());
+  joined->SetSpacing(volume.image->GetSpacing());
+  joined->SetDirectionMatrix(volume.image->GetDirectionMatrix());
+  volume.image = joined;
+  volume.channels = first->Form().channels;
+  return volume;
+}
+
+Volume ReadPyramid(PyramidOrder order, ReadProgress& progress)
+{
+  const bool wantsAll = order.options.channel == AllChannels;
+  order.options.channel = wantsAll ? 0 : order.options.channel;
+  const auto pyramid = std::make_shared<const DecodedPyramid>(order, progress);
+  if (wantsAll && ReadsAllChannels(order, pyramid))
+  {
+    return ReadAllChannels(order, pyramid, progress);
+  }
+  Volume volume = ReadChannel(order, pyramid, progress);
+  if (!pyramid->Form().otherChannels.empty())
+  {
+    volume.warnings.push_back(pyramid->Form().otherChannels);
+  }
   return volume;
 }
 

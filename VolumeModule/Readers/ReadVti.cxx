@@ -3,6 +3,7 @@
 #include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/ImageFacts.h"
 #include "Readers/VoxelLayout.h"
 #include "Readers/VtkImage.h"
 #include "Readers/VtkMessages.h"
@@ -185,12 +186,18 @@ vtkSmartPointer<vtkImageData> ReadVtiFile(const std::string& path, ReadProgress&
   {
     FailWith(path, messages);
   }
+  voxels->SetFieldData(reader->GetOutput()->GetFieldData());
   return voxels;
 }
 
 Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
-  return VolumeOf(path, ReadVtiFile(path, progress));
+  const vtkSmartPointer<vtkImageData> voxels = ReadVtiFile(path, progress);
+  Volume volume = VolumeOf(path, voxels);
+  volume.showsPatient = ShowsPatient(voxels);
+  volume.holdsColors = HoldsColors(voxels);
+  volume.channels = ChannelsIn(voxels);
+  return volume;
 }
 
 }

@@ -32,6 +32,13 @@ struct LabelledSegment
   std::optional<glm::dvec3> rgb; ///< [0, 1]; empty if the file gives no colour
 };
 
+/// An independent component of the voxels, such as the light of one stain.
+struct VolumeChannel
+{
+  std::string name;              ///< may be empty
+  std::optional<glm::dvec3> rgb; ///< the colour that the file gives it, [0, 1]
+};
+
 /// The times of a file: one volume each, of which one is read.
 struct VolumeTimes
 {
@@ -61,6 +68,11 @@ struct Volume
   std::optional<double> uptakeValueFactor; ///< for PET: from values to SUV [g/ml]
   std::string frameOfReference; ///< UID of the DICOM space that positions are in; or empty
   VolumeTimes times;            ///< times of the file, or elements of its list of volumes
+  /// True if the file is about a patient, so that lengths of a body's size are those of a body.
+  bool showsPatient = false;
+  bool holdsColors = false; ///< true if the components of a voxel are its colour
+  /// The components if they are independent and the file tells about each; otherwise empty.
+  std::vector<VolumeChannel> channels;
 };
 
 /// The warning for files without orientation.
@@ -105,6 +117,10 @@ struct PreviewWish
   std::array<double, 3> steps = { 1.0, 1.0, 1.0 };
 };
 
+/// All channels of a file with levels and two to four of them, as components of the voxels, if they
+/// can be read as a whole; otherwise the first.
+constexpr int AllChannels = -1;
+
 /// Options of a reader.
 struct ReadOptions
 {
@@ -121,7 +137,8 @@ struct ReadOptions
   /// The level of a file with several to read, the finest of which is 0; empty for the finest that
   /// fits in the memory that is free, or can stay in its chunks.
   std::optional<int> level;
-  int channel = 0;        ///< the channel to read of a file with levels and several channels
+  /// The channel to read of a file with levels and several channels, or AllChannels.
+  int channel = 0;
   bool areCopies = false; ///< true for unpacked files, which are removed once they were read
 
   bool Rectifies(const Volume& volume) const

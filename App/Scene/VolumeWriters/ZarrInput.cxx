@@ -71,6 +71,10 @@ std::optional<ZarrInput> ChunkedInput(const FileSource& source, std::vector<std:
       std::to_string(form.levels.size() - 1) + ", found " + std::to_string(level));
   }
   warnings.insert(warnings.end(), form.warnings.begin(), form.warnings.end());
+  if (!form.otherChannels.empty())
+  {
+    warnings.push_back(form.otherChannels);
+  }
   const ImageGeometry& geometry = form.geometries[level];
   ZarrInput input = { form.levels[level].dimensions, form.scalarType, 1, geometry.originMm };
   for (int axis = 0; axis < 3; ++axis)

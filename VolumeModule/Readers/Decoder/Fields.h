@@ -77,6 +77,12 @@ void Fields(Wire& wire, LabelledSegment& segment)
 }
 
 template <class Wire>
+void Fields(Wire& wire, VolumeChannel& channel)
+{
+  wire(channel.name, channel.rgb);
+}
+
+template <class Wire>
 void Fields(Wire& wire, VolumeTimes& times)
 {
   wire(times.values, times.areSeconds);
@@ -89,7 +95,7 @@ void Fields(Wire& wire, Volume& volume)
   wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
     volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
     volume.isRectified, volume.segments, volume.uptakeValueFactor, volume.frameOfReference,
-    volume.times);
+    volume.times, volume.showsPatient, volume.holdsColors, volume.channels);
 }
 
 template <class Wire>
@@ -125,7 +131,8 @@ void Fields(Wire& wire, PyramidOrder& order)
 template <class Wire>
 void Fields(Wire& wire, PyramidForm& form)
 {
-  wire(form.levels, form.geometries, form.scalarType, form.windowLevel, form.warnings, form.times);
+  wire(form.levels, form.geometries, form.scalarType, form.windowLevel, form.warnings, form.times,
+    form.channels, form.otherChannels);
 }
 
 template <class Wire>

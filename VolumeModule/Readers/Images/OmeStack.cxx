@@ -6,6 +6,7 @@
 #include "Readers/XmlText.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 
@@ -61,6 +62,7 @@ private:
   std::string FileOf(vtkXMLDataElement* tiffData) const;
   std::int64_t PlaneAt(Indices indices) const;
   double SpacingMm(char axis, std::vector<std::string>& warnings) const;
+  std::vector<VolumeChannel> Channels() const;
   VolumeTimes Times() const;
 
   const TiffFile& file;
@@ -199,6 +201,32 @@ double OmeDescription::SpacingMm(char axis, std::vector<std::string>& warnings) 
     MmPerUnitOrWarn(unit.empty() ? "um" : unit, warnings);
 }
 
+/// The colour of a channel, a signed number with red, green, blue and alpha from its highest byte
+/// on; nothing if it is not stated, or white as the default of the format.
+std::optional<glm::dvec3> ColorOf(vtkXMLDataElement* channel)
+{
+  const std::string text = Attribute(channel, "Color");
+  char* end = nullptr;
+  const auto rgba = std::uint32_t(std::strtoll(text.c_str(), &end, 10));
+  if (text.empty() || *end != '\0' || rgba >> 8 == 0xffffff || rgba >> 8 == 0)
+  {
+    return std::nullopt;
+  }
+  return glm::dvec3(rgba >> 24 & 255, rgba >> 16 & 255, rgba >> 8 & 255) / 255.0;
+}
+
+std::vector<VolumeChannel> OmeDescription::Channels() const
+{
+  std::vector<VolumeChannel> channels;
+  for (vtkXMLDataElement* const channel : Children(this->pixels, "Channel"))
+  {
+    const std::string name = Attribute(channel, "Name");
+    channels.push_back(
+      { name.empty() ? "Channel " + std::to_string(channels.size() + 1) : name, ColorOf(channel) });
+  }
+  return channels;
+}
+
 VolumeTimes OmeDescription::Times() const
 {
   const std::string step = Attribute(this->pixels, "TimeIncrement");
@@ -214,6 +242,7 @@ TiffStack OmeDescription::Stack(std::int64_t time) const
 {
   TiffStack stack;
   stack.channelCount = std::size_t(this->sizes.at('C'));
+  stack.channels = this->Channels();
   stack.times = this->Times();
   const auto last = std::int64_t(stack.times.values.size()) - 1;
   const std::int64_t t = std::clamp<std::int64_t>(time, 0, last);

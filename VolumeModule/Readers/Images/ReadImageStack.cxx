@@ -140,6 +140,7 @@ Volume ReadImageStack(const std::string& path, const ReadOptions& options, ReadP
   const std::vector<Picture>& slices = stack.slices;
   Volume volume;
   volume.image = ReadSlices(path, slices, progress.Part(0.2, 1.0));
+  volume.holdsColors = slices.front().layout.componentCount > 1;
   if (!stack.leftOut.empty())
   {
     volume.warnings.push_back("Files were left out because they are damaged or of another size or "

@@ -58,6 +58,7 @@ void LimitChannels(TiffStack& stack, std::int64_t componentsPerPage)
   }
   stack.planes = first;
   stack.channelCount = 1;
+  stack.channels.clear();
 }
 
 /// Checks all pages before memory is allocated.
@@ -109,6 +110,22 @@ vtkSmartPointer<vtkImageData> ReadPlanes(
   return image;
 }
 
+/// The components of the voxels, which are channels.
+/// @param perPage  components of each page
+std::vector<VolumeChannel> NamedChannels(const TiffStack& stack, std::size_t perPage)
+{
+  if (perPage == 1 && stack.channels.size() == stack.channelCount)
+  {
+    return stack.channels;
+  }
+  std::vector<VolumeChannel> channels;
+  for (std::size_t i = 0; i < stack.channelCount * perPage; ++i)
+  {
+    channels.push_back({ "Channel " + std::to_string(i + 1), {} });
+  }
+  return channels;
+}
+
 }
 
 Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgress& progress)
@@ -128,6 +145,11 @@ Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgres
   Volume volume;
   TakeTimes(path, stack.times, options, volume);
   volume.image = ReadPlanes(stack, first.layout, files, progress);
+  volume.holdsColors = stack.channelCount == 1 && first.holdsColors;
+  if (!volume.holdsColors)
+  {
+    volume.channels = NamedChannels(stack, std::size_t(first.layout.componentCount));
+  }
   volume.warnings = stack.warnings;
   if (first.isInverted)
   {

@@ -27,6 +27,7 @@ struct TiffStack
   /// The planes of one time, slice after slice, with the channels of a slice together.
   std::vector<TiffPlane> planes;
   std::size_t channelCount = 1;
+  std::vector<VolumeChannel> channels = {}; ///< as many, if the file tells about them
   VolumeTimes times;
   std::array<double, 3> spacingMm = { 0.0, 0.0, 0.0 }; ///< 0 if unknown
   std::vector<std::string> warnings;

@@ -80,6 +80,21 @@ int TypeOfPixels(TIFF* file)
   return isPlain && isReal && bits % 8 == 0 ? ScalarTypeOf(kind, bits / 8) : VTK_VOID;
 }
 
+/// True unless the samples of a pixel are channels that have nothing to do with each other.
+bool HoldsColors(TIFF* file)
+{
+  const auto photometric = Tag<std::uint16_t>(file, TIFFTAG_PHOTOMETRIC);
+  if (photometric != PHOTOMETRIC_MINISBLACK && photometric != PHOTOMETRIC_MINISWHITE)
+  {
+    return true;
+  }
+  std::uint16_t extraCount = 0;
+  std::uint16_t* extra = nullptr;
+  TIFFGetFieldDefaulted(file, TIFFTAG_EXTRASAMPLES, &extraCount, &extra);
+  return Tag<std::uint16_t>(file, TIFFTAG_SAMPLESPERPIXEL) == 2 && extraCount == 1 &&
+    extra[0] != EXTRASAMPLE_UNSPECIFIED;
+}
+
 double MmPerUnit(TIFF* file)
 {
   switch (Tag<std::uint16_t>(file, TIFFTAG_RESOLUTIONUNIT))
@@ -200,6 +215,7 @@ TiffPage TiffFile::CurrentPage()
     (Tag<std::uint32_t>(this->file, TIFFTAG_SUBFILETYPE) & FILETYPE_REDUCEDIMAGE) != 0;
   page.isInverted = Tag<std::uint16_t>(this->file, TIFFTAG_PHOTOMETRIC) == PHOTOMETRIC_MINISWHITE &&
     TypeOfPixels(this->file) != VTK_VOID;
+  page.holdsColors = HoldsColors(this->file);
   page.orientation = Tag<std::uint16_t>(this->file, TIFFTAG_ORIENTATION);
   page.directory = TIFFCurrentDirOffset(this->file);
   this->CheckHoldsDirectory(page.directory);

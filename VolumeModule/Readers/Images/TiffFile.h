@@ -20,6 +20,7 @@ struct TiffPage
   VoxelLayout layout;                  ///< one slice
   bool isReduced;                      ///< true for a thumbnail of another page
   bool isInverted;                     ///< true if the largest value is black
+  bool holdsColors;                    ///< true if the values of a pixel are its colour
   int orientation;                     ///< the tag Orientation, 1 to 8
   std::uint64_t directory;             ///< file offset of the page's directory
   std::array<double, 2> pixelsPerUnit; ///< the tags XResolution and YResolution; 0 if missing

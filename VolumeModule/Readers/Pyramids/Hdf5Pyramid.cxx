@@ -7,6 +7,7 @@
 #include "Readers/Pyramids/BigDataViewer.h"
 #include "Readers/Pyramids/Hdf5File.h"
 #include "Readers/Pyramids/Hdf5Path.h"
+#include "Readers/Pyramids/Imaris.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelLayout.h"
@@ -15,11 +16,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace varimarch
 {
@@ -98,8 +95,8 @@ void Hdf5Pyramid::NameOthers(const std::string& what, std::size_t count, std::si
   }
   if (count > 1)
   {
-    this->form.warnings.push_back("The file holds " + std::to_string(count) + " " + what +
-      "; only that of number " + std::to_string(taken) + ", counted from 0, was read.");
+    this->form.otherChannels = "The file holds " + std::to_string(count) + " " + what +
+      "; only that of number " + std::to_string(taken) + ", counted from 0, was read.";
   }
 }
 
@@ -173,43 +170,6 @@ double NumberIn(const Hdf5File& file, const std::string& object, const std::stri
   return NumberFromText(file.Path(), "a number as " + name + " of " + object, text);
 }
 
-/// Seconds of a moment such as "2023-05-17 09:30:00.250" since one that is always the same; none
-/// for other texts.
-std::optional<double> SecondsOfMoment(const std::string& text)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  std::tm moment = {};
-  if (!(stream >> std::get_time(&moment, "%Y-%m-%d %H:%M:%S")))
-  {
-    return std::nullopt;
-  }
-  double fraction = 0.0;
-  const bool isWhole = !(stream >> fraction);
-  return double(timegm(&moment)) + (isWhole ? 0.0 : fraction);
-}
-
-/// The times of an Imaris file, which says when each was scanned, counted from 1; numbers if it
-/// does not.
-VolumeTimes ImarisTimes(const Hdf5File& file, std::size_t count)
-{
-  std::vector<double> seconds;
-  for (std::size_t i = 1; i <= count; ++i)
-  {
-    const std::optional<double> moment = SecondsOfMoment(
-      Trimmed(file.TextAttribute("/DataSetInfo/TimeInfo", "TimePoint" + std::to_string(i))));
-    if (!moment)
-    {
-      return NumberedTimes(std::int64_t(count));
-    }
-    seconds.push_back(*moment);
-  }
-  const double first = seconds.empty() ? 0.0 : seconds.front();
-  std::transform(seconds.begin(), seconds.end(), seconds.begin(),
-    [first](double moment) { return moment - first; });
-  return StatedTimes(seconds);
-}
-
 void Hdf5Pyramid::TakeImaris()
 {
   const std::string info = "/DataSetInfo/Image";
@@ -226,6 +186,8 @@ void Hdf5Pyramid::TakeImaris()
   const std::string first = "/DataSet/ResolutionLevel 0";
   this->form.times = ImarisTimes(*this->file, this->file->Count(first + "/TimePoint %"));
   this->NameOthers("channels", this->file->Count(first + "/TimePoint 0/Channel %"), this->channel);
+  this->form.channels =
+    ImarisChannels(*this->file, this->file->Count(first + "/TimePoint 0/Channel %"));
   const std::size_t count = this->file->Count("/DataSet/ResolutionLevel %");
   for (std::size_t i = 0; i < count; ++i)
   {

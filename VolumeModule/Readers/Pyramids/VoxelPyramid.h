@@ -23,6 +23,9 @@ struct PyramidForm
   std::optional<WindowLevel> windowLevel;
   std::vector<std::string> warnings;
   VolumeTimes times; ///< times of the file, one of which is read
+  /// All channels of the file, one of which is read, if it says how many there are.
+  std::vector<VolumeChannel> channels;
+  std::string otherChannels; ///< the warning that only one of several was read; may be empty
 };
 
 /// The chunks of a level that a file or folder has.

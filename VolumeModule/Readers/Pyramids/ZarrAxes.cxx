@@ -205,17 +205,21 @@ ImageGeometry GeometryOf(const ZarrAxes& axes, const ZarrSelection& selection)
   return geometry;
 }
 
-std::vector<std::string> LeftOut(const ZarrAxes& axes, const ZarrHeader& header, int channel)
+std::string PlaceLeftOut(const ZarrAxis& axis, std::int64_t count, int taken)
+{
+  return "The axis " + Quoted(axis.name) + " has " + std::to_string(count) +
+    " places; only that of number " + std::to_string(taken) + ", counted from 0, was read.";
+}
+
+std::vector<std::string> LeftOut(const ZarrAxes& axes, const ZarrHeader& header)
 {
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < axes.size(); ++i)
   {
-    const std::int64_t count = header.shape[i];
-    if (!axes[i].world && !axes[i].isTime && count > 1)
+    const bool isRead = axes[i].world || axes[i].isTime || axes[i].isChannel;
+    if (!isRead && header.shape[i] > 1)
     {
-      const std::string number = std::to_string(axes[i].isChannel ? channel : 0);
-      sentences.push_back("The axis " + Quoted(axes[i].name) + " has " + std::to_string(count) +
-        " places; only that of number " + number + ", counted from 0, was read.");
+      sentences.push_back(PlaceLeftOut(axes[i], header.shape[i], 0));
     }
   }
   return sentences;

@@ -54,8 +54,11 @@ VolumeTimes TimesOf(const ZarrAxes& axes, const ZarrHeader& header);
 /// Positions of the selected voxels [mm].
 ImageGeometry GeometryOf(const ZarrAxes& axes, const ZarrSelection& selection);
 
-/// Sentences about what is not selected.
-std::vector<std::string> LeftOut(const ZarrAxes& axes, const ZarrHeader& header, int channel);
+/// The sentence that one of several places of an axis was read.
+std::string PlaceLeftOut(const ZarrAxis& axis, std::int64_t count, int taken);
+
+/// Sentences about what is not selected along axes of other kinds than space, time and channel.
+std::vector<std::string> LeftOut(const ZarrAxes& axes, const ZarrHeader& header);
 
 }
 

@@ -8,6 +8,7 @@
 #include "Readers/VoxelLayout.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace varimarch
@@ -37,6 +38,8 @@ public:
 private:
   void AddMultiscale(const nlohmann::json& attributes);
   void AddLevel(const std::string& folder, const ZarrAxes& axes);
+  void CountChannels(const ZarrAxes& axes, const ZarrHeader& header);
+  void TakeChannels(const nlohmann::json& attributes);
   void TakeWindow(const nlohmann::json& attributes);
 
   std::string folder;
@@ -55,6 +58,7 @@ ZarrPyramid::ZarrPyramid(const std::string& folder, const ReadOptions& options)
   if (!ListIn(ValueAt(attributes, "multiscales")).empty())
   {
     this->AddMultiscale(attributes);
+    this->TakeChannels(attributes);
     this->TakeWindow(attributes);
   }
   else
@@ -86,10 +90,11 @@ void ZarrPyramid::AddLevel(const std::string& levelFolder, const ZarrAxes& axes)
   {
     this->form.scalarType = header.scalarType;
     this->form.times = TimesOf(axes, header);
-    for (const std::string& left : LeftOut(axes, header, this->options.channel))
+    for (const std::string& left : LeftOut(axes, header))
     {
       this->form.warnings.push_back(left);
     }
+    this->CountChannels(axes, header);
   }
   if (header.scalarType != this->form.scalarType)
   {
@@ -132,6 +137,49 @@ void ZarrPyramid::AddMultiscale(const nlohmann::json& attributes)
     ApplyTransforms(path, ValueAt(dataset, "coordinateTransformations"), axes);
     ApplyTransforms(path, ValueAt(multiscale, "coordinateTransformations"), axes);
     this->AddLevel((fs::path(this->folder) / inner).string(), axes);
+  }
+}
+
+/// More channels than components of a voxel are not named.
+void ZarrPyramid::CountChannels(const ZarrAxes& axes, const ZarrHeader& header)
+{
+  constexpr std::int64_t MostChannels = 4;
+  for (std::size_t i = 0; i < axes.size(); ++i)
+  {
+    if (axes[i].isChannel && header.shape[i] > 1)
+    {
+      this->form.otherChannels = PlaceLeftOut(axes[i], header.shape[i], this->options.channel);
+      for (std::int64_t c = 0; header.shape[i] <= MostChannels && c < header.shape[i]; ++c)
+      {
+        this->form.channels.push_back({ "Channel " + std::to_string(c + 1), {} });
+      }
+    }
+  }
+}
+
+/// The colour of six hexadecimal digits; nothing for another text, and for white, which is no
+/// colour of one among others.
+std::optional<glm::dvec3> ColorOf(const std::string& digits)
+{
+  char* end = nullptr;
+  const long rgb = std::strtol(digits.c_str(), &end, 16);
+  if (digits.size() != 6 || *end != '\0' || rgb < 0 || rgb == 0xffffff)
+  {
+    return std::nullopt;
+  }
+  return glm::dvec3(rgb >> 16 & 255, rgb >> 8 & 255, rgb & 255) / 255.0;
+}
+
+/// Takes the names and the colours of the channels.
+void ZarrPyramid::TakeChannels(const nlohmann::json& attributes)
+{
+  const auto channels = ListIn(ValueAt(ValueAt(attributes, "omero"), "channels"));
+  for (std::size_t i = 0; i < std::min(channels.size(), this->form.channels.size()); ++i)
+  {
+    const std::string label = TextIn(ValueAt(channels[i], "label"));
+    VolumeChannel& channel = this->form.channels[i];
+    channel.name = label.empty() ? channel.name : label;
+    channel.rgb = ColorOf(TextIn(ValueAt(channels[i], "color")));
   }
 }
 
