@@ -4,7 +4,9 @@
 #include "Module/ComponentVolumes.h"
 #include "Support/ExpectedVtkErrors.h"
 
+#include <vtkColorTransferFunction.h>
 #include <vtkDataArray.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <gtest/gtest.h>
@@ -58,6 +60,35 @@ TEST_P(IndependentComponents, AreAMixtureByTheirWeights)
     EXPECT_NEAR(drawn[channel], alpha * emission[channel] / extinction, HalfByteStep) << channel;
   }
   EXPECT_NEAR(drawn[3], alpha, HalfByteStep);
+}
+
+// VTK's functions for components without any are opaque, so that the volume would be a black box.
+TEST_P(IndependentComponents, WithoutFunctionsHaveThoseOfTheFirst)
+{
+  const int count = GetParam();
+  MapperScene given(ConstantBut(count), 9);
+  MapperScene missing(ConstantBut(count), 9);
+  for (MapperScene* const scene : { &given, &missing })
+  {
+    LookAlongZ(*scene);
+    vtkVolumeProperty* const property = scene->volume->GetProperty();
+    for (int component = 0; component < (scene == &given ? count : 1); ++component)
+    {
+      SetLook(property, component, looks[0]);
+      property->SetScalarOpacityUnitDistance(component, 3.0);
+    }
+  }
+  EXPECT_EQ(given.MiddlePixel(), missing.MiddlePixel());
+  EXPECT_LT(missing.MiddlePixel()[3], 0.99f);
+
+  // A colour without opacities is kept.
+  vtkNew<vtkColorTransferFunction> red;
+  red->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
+  for (MapperScene* const scene : { &given, &missing })
+  {
+    scene->volume->GetProperty()->SetColor(1, red);
+  }
+  EXPECT_EQ(given.MiddlePixel(), missing.MiddlePixel());
 }
 
 TEST_P(IndependentComponents, AddWhatEachIsOverAUnitDistanceInAnExtreme)

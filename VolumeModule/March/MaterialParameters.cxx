@@ -1,6 +1,7 @@
 #include "March/MaterialParameters.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/ComponentFunctions.h"
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
@@ -187,8 +188,9 @@ void SetMaterials(VolumeParameters& p, const VolumeMarch& march, const VolumeRes
   p.partWeights = glm::vec4(1.0f);
   for (int part = 0; part < PartCount(march.settings); ++part)
   {
+    vtkVolumeProperty* const property = march.frame.material.property;
     p.opacityUnitDistancesMm[part] =
-      float(march.frame.material.property->GetScalarOpacityUnitDistance(part));
+      float(property->GetScalarOpacityUnitDistance(HasOpacities(property, part) ? part : 0));
     p.partWeights[part] = float(WeightOf(march, part));
     p.reflectances[part] = march.frame.material.reflectances[part];
   }

@@ -1,6 +1,7 @@
 #include "Resources/MaterialTables.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/ComponentFunctions.h"
 #include "Frame/PropertyTransferFunction.h"
 
 #include "vtkColorTransferFunction.h"
@@ -129,7 +130,7 @@ std::vector<MaterialTable> MaterialTablesOf(
   std::vector<MaterialTable> tables = { FirstTableOf(property, settings) };
   for (int component = 1; component < PartCount(settings); ++component)
   {
-    tables.push_back({ component, TransferFunctionOf(property, component), true });
+    tables.push_back({ component, FunctionOfComponent(property, component), true });
   }
   return tables;
 }
