@@ -170,8 +170,8 @@ public:
 
   ///@{
   /**
-   * The channel to read of these formats, or the setup of BigDataViewer, counted from 0. -1 reads all
-   * channels of a file with two to four as components of the voxels, if they fit in half of the
+   * The channel to read of these formats, or the setup of BigDataViewer, counted from 0. -1 reads
+   * all channels of a file with two to four as components of the voxels, if they fit in half of the
    * memory that is free, and otherwise the first. Default: 0.
    */
   vtkSetClampMacro(Channel, int, -1, VTK_INT_MAX);

@@ -51,7 +51,7 @@ struct PromiseOptions
   int scenes = 200;
   std::uint64_t seed = 1;
   std::vector<std::string> only; ///< names of kinds; empty: all
-  int side = 0;                  ///< largest height and width of pictures [pixels]; 0: those of the kind
+  int side = 0; ///< largest height and width of pictures [pixels]; 0: those of the kind
 };
 
 /// Draws scenes of all kinds in turn. The first of each kind has the first seed, the next one the
