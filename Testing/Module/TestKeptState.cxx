@@ -17,17 +17,17 @@ namespace
 
 using Step = std::function<void(MapperScene& scene)>;
 
-constexpr int Side = 24; // pixels
+constexpr int PictureSide = 24; // pixels
 
 // Expects that a change makes another image, and the same whether there was one before or not.
 void ExpectImageOfNewMapper(const Step& arrange, const Step& change)
 {
-  MapperScene kept(SmallTorso(), Side);
+  MapperScene kept(SmallTorso(), PictureSide);
   arrange(kept);
   const std::vector<float> before = kept.Draw();
   change(kept);
   const std::vector<float> after = kept.Draw();
-  MapperScene fresh(kept.image, Side);
+  MapperScene fresh(kept.image, PictureSide);
   arrange(fresh);
   change(fresh);
   EXPECT_EQ(after, fresh.Draw());
@@ -80,7 +80,7 @@ TEST(KeptState, OfAccumulatedImagesEndsWithCoordinatesInPlace)
 {
   const Places places = { UnevenPlaces(12, 40.0, 1.5), UnevenPlaces(12, 40.0, 1.2),
     UnevenPlaces(12, 40.0, 1.0) };
-  MapperScene scene(EvenImage(places), Side);
+  MapperScene scene(EvenImage(places), PictureSide);
   const auto grid = WaveGrid(places);
   scene.mapper->SetInputData(grid);
   scene.mapper->SetMaximumAccumulatedPictures(4);
