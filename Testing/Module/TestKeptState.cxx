@@ -1,5 +1,5 @@
-// Images do not show what a mapper keeps from earlier ones. Testing/State tries all setters; here are
-// those whose fault it takes a certain order of calls to see.
+// Images do not show what a mapper keeps from earlier ones. Testing/State tries all setters; here
+// are those whose fault it takes a certain order of calls to see.
 
 #include "Module/MapperScene.h"
 #include "Module/UnevenGrid.h"
