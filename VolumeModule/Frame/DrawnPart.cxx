@@ -218,6 +218,10 @@ double DrawnPart::Length() const
 
 DrawnPart DrawnPartOf(vtkVolume* volume)
 {
+  if (!volume->GetBounds())
+  {
+    return {}; // its bounds are not finite, so that it is not drawn
+  }
   auto* const mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   const VolumeGeometry geometry = GeometryOf(volume, mapper);
   NumberCheck check; // its sentences are told when the volume is drawn

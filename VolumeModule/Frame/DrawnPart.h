@@ -24,7 +24,7 @@ struct DrawnPart
 };
 
 /// The drawn part of a volume whose mapper is a vtkVolumeMapper with an input; of a vtkMultiVolume,
-/// its bounds.
+/// its bounds. It has no corners if the volume has no finite bounds.
 DrawnPart DrawnPartOf(vtkVolume* volume);
 
 /// The sides of a plane on which two parts are, seen from a camera.
