@@ -118,8 +118,10 @@ TEST(ExtremeValues, OfOpacitiesBeyondOneAreOpaqueAndBelowZeroClear)
 {
   vtkNew<vtkHeadlessRenderWindow> window;
   ExtremeRamp within(0.0, 1.0, window);
-  within.opacities->AddPoint(0.3, 0.0);
-  within.opacities->AddPoint(0.4, 1.0);
+  within.opacities->AddPoint(0.0, 0.0);
+  within.opacities->AddPoint(0.5 * 3.0 / 3.05, 0.0); // where the curve beyond passes 0 and 1
+  within.opacities->AddPoint(0.5 + 0.5 * 0.95 / 6.95, 1.0);
+  within.opacities->AddPoint(1.0, 1.0);
   ExtremeRamp beyond(0.0, 1.0, window);
   beyond.opacities->AddPoint(0.0, -3.0);
   beyond.opacities->AddPoint(1.0, 7.0);
