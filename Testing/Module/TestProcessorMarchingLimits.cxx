@@ -203,8 +203,8 @@ TEST_F(ProcessorMarching, DrawsSeveralComponentsOfWhichOneIsFarFromZero)
     second->AddPoint(100.0, 0.0);
     second->AddPoint(1000.0, 0.3);
     scene.volume->GetProperty()->SetScalarOpacity(1, second);
-    vtkNew<vtkColorTransferFunction>
-      white; // else it has the colours of the first, which is shifted
+    // Without colours of its own it has those of the first component, which is shifted.
+    vtkNew<vtkColorTransferFunction> white;
     white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
     scene.volume->GetProperty()->SetColor(1, white);
     pictures.push_back(scene.DrawByProcessor());

@@ -102,7 +102,7 @@ def mapper_changes():
     yield "SetTransfer2DYAxisArray", second_values, no_second_values
     memory = to("mapper", "SetMaximumGraphicsMemory", 150000)
     yield "SetMaximumGraphicsMemory", memory, first("memory")
-    # As in VTK, the lock sets the distance itself.
+    # The lock sets the distance itself, as in VTK.
     for lock in (1, 0):
         setter = "SetLockSampleDistanceToInputSpacing"
         yield setter, to("mapper", setter, lock), first("distance")

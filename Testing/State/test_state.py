@@ -43,7 +43,7 @@ def changes_of(scene):
                 continue
             made = automatic(target, thing, name) if name not in called else []
             changes += made
-            # Those of a second object of a kind are tried by values alone.
+            # A second object of a kind is tried by values alone.
             if not made and name not in called and not target.startswith("other "):
                 missing.append(f"{target}.{name}")
     return changes, missing

@@ -23,8 +23,8 @@ struct VolumeFindings
 /// The way to the light that shadows and ambient occlusion leave at a place.
 struct LightSource
 {
-  /// The agreement of the nodes of a cell that is needed to interpolate light in it, relative to
-  /// the least, [0, 1]; 0 if all light is traced.
+  /// The largest difference between the nodes of a cell in which light is interpolated, as a
+  /// fraction of the largest that LightResources allows, [0, 1]; 0 if all light is traced.
   double latticePart = 1.0;
   /// The sample distance that the steps of rays to lights and of ambient occlusion follow [mm]; 0
   /// for that of the image.

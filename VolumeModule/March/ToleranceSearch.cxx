@@ -202,7 +202,8 @@ std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
 
 // All trial images of a search with lattices share their error. So one image more is drawn without
 // them, with the light of steps that are shorter by the factor at which a search compares images.
-// The error falls with the differences that are allowed between the nodes of a cell.
+// The error falls with the differences that are allowed between the nodes of a cell, unless the
+// light is wrong at the nodes themselves.
 template <class Choose>
 ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
 {
@@ -212,18 +213,19 @@ ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
     return choice;
   }
   constexpr double LeastPart = 1.0 / 32.0;
-  constexpr double Caution = 0.6;
+  constexpr double Caution = 0.6; // the error falls less than the differences
+  constexpr double LargestCut = 1.0 / 8.0;
+  constexpr double LeastGain = 0.7;
   const double most = trial.facts.lightOfLimit;
   double ofLimit = KeptLightOfLimit(trial, choice);
   while (ofLimit > most && choice.light.latticePart > LeastPart)
   {
-    choice.light.latticePart *= std::max(Caution * most / ofLimit, 1.0 / 8.0);
+    choice.light.latticePart *= std::max(Caution * most / ofLimit, LargestCut);
     const double last = ofLimit;
     ofLimit = KeptLightOfLimit(trial, choice);
-    // Light that is wrong at nodes stays so.
-    if (ofLimit > most && ofLimit > 0.7 * last)
+    if (ofLimit > LeastGain * last)
     {
-      break;
+      break; // the nodes are wrong
     }
   }
   if (ofLimit <= most)

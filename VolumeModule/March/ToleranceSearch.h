@@ -75,7 +75,7 @@ private:
   void Remember();
   ToleranceChoice ChooseSteps(Trial trial, const ToleranceInputs& inputs) const;
   static ToleranceChoice ChooseAnew(Trial& trial, const ToleranceInputs& inputs);
-  /// A choice that keeps light in lattices if a trial shows that they are exact enough, otherwise
+  /// A choice that uses as much of the lattices of light as a trial shows to be exact enough, or
   /// one that traces all light.
   /// @param choose  (trial), searches the steps
   template <class Choose>

@@ -195,7 +195,7 @@ std::vector<std::size_t> ChosenByChance(std::size_t count, std::uint64_t seed)
   return chosen;
 }
 
-// As many pixels may be beyond the tolerance.
+// The number of pixels that may be beyond the tolerance.
 std::size_t MostBeyond(std::size_t count)
 {
   return count - 1 - count * 999 / 1000;
