@@ -51,6 +51,15 @@ private:
   varimarch::ImageError ErrorTo(const std::vector<float>& truth);
 };
 
+/// A function of a scene that draws its image.
+using WayToDraw = std::vector<float> (MapperScene::*)();
+
+/// By shaders, and by packets of rays.
+inline std::vector<WayToDraw> WaysToDraw()
+{
+  return { &MapperScene::Draw, &MapperScene::DrawByProcessor };
+}
+
 /// A torso phantom with noise: int16, anisotropic, 40 x 36 x 24 voxels.
 vtkSmartPointer<vtkImageData> SmallTorso();
 

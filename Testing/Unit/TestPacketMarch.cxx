@@ -4,7 +4,6 @@
 
 #include "Core/Fields/OpticalField.h"
 #include "Core/Geometry/SplineCoefficients.h"
-#include "Core/Packets/PacketImages.h"
 #include "Core/Quality/BlueNoise.h"
 #include "Core/Quality/ImageError.h"
 #include "Core/Reference/SplineGrid.h"
@@ -228,25 +227,3 @@ TEST_P(PacketMarch, IsThatOfTheBaseline)
 INSTANTIATE_TEST_SUITE_P(On, PacketMarch, testing::ValuesIn(InstructionSetsOfProcessor()),
   [](const testing::TestParamInfo<InstructionSet>& info)
   { return info.param == InstructionSet::Avx2 ? "Avx2" : "Baseline"; });
-
-TEST(PacketImages, OfSeveralScenesAreThoseOfEach)
-{
-  const PacketPictures pictures;
-  const Viewport pixels = pictures.Pixels();
-  PacketScene coarse = pictures.scene;
-  coarse.rays.stepMm *= 30.0f;
-  const PacketScene& other = coarse;
-  std::vector<std::vector<float>> alone;
-  std::vector<std::vector<float>> together;
-  std::vector<PacketImage> images;
-  for (const PacketScene* const marched : { &pictures.scene, &other })
-  {
-    alone.emplace_back(4 * std::size_t(pixels.width) * pixels.height);
-    MarchPackets(*marched, pixels, alone.back().data());
-    together.emplace_back(alone.back().size());
-    images.push_back({ marched, together.back().data() });
-  }
-  MarchPacketsTogether(images, pixels);
-  EXPECT_EQ(together, alone);
-  EXPECT_NE(alone[0], alone[1]);
-}

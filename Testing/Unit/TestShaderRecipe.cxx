@@ -31,13 +31,14 @@ Parts Changed(const RenderSettings& settings)
 TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Filter/OfDevice.glsl",
-      "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl", "Depth/None.glsl",
-      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/Composite.glsl", "Loop/Segments.glsl", "FourScalars.glsl", "March/Midpoint.glsl",
-      "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
-      "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+      "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
+      "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/Composite.glsl", "Loop/Segments.glsl",
+      "FourScalars.glsl", "March/Midpoint.glsl", "Gaps/None.glsl", "Mask/None.glsl",
+      "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl", "Resume/Whole.glsl",
+      "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
@@ -236,13 +237,13 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl", "Filter/OfDevice.glsl",
-      "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl", "Depth/None.glsl",
-      "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl", "Classify/OpticalTable.glsl",
-      "Blend/MaximumIntensity.glsl", "Loop/Cells.glsl", "March/Extreme.glsl", "Gaps/None.glsl",
-      "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl", "Window/None.glsl",
-      "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+      "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
+      "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
+      "Classify/OpticalTable.glsl", "Blend/MaximumIntensity.glsl", "Loop/Cells.glsl",
+      "March/Extreme.glsl", "Gaps/None.glsl", "Mask/None.glsl", "Crop/None.glsl", "Probe/None.glsl",
+      "Window/None.glsl", "Resume/Whole.glsl", "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
@@ -253,7 +254,7 @@ TEST(ShaderRecipe, ExactMarchesTakeNoSampleSteps)
     settings.nearest = nearest;
     const Parts parts = FragmentShaderParts(settings);
     // Compare only the parts between the common beginning and the common end.
-    return Parts(parts.begin() + 10, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
+    return Parts(parts.begin() + 11, std::find(parts.begin(), parts.end(), "Gaps/None.glsl"));
   };
   EXPECT_EQ(partsOf(Blend::Composite, true),
     (Parts{ "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
@@ -282,8 +283,9 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
   settings.others = { lit };
   const Parts parts = FragmentShaderParts(settings);
   EXPECT_EQ(parts,
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Depth/None.glsl",
-      "Clip/None.glsl", "Jitter/None.glsl", "Blend/Composite.glsl", "Volumes/None.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+      "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Blend/Composite.glsl",
+      "Volumes/None.glsl",
       // The lit volume.
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
       "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
@@ -306,10 +308,10 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   RenderSettings settings{ Blend::Composite, Acceleration::OpticalField, true, false };
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "VolumeParameters.glsl",
-      "VolumeTextures.glsl", "VolumeSlots.glsl", "Depth/None.glsl", "Clip/None.glsl",
-      "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl", "Span/None.glsl",
-      "RayMarch.frag.glsl" }));
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+      "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Depth/None.glsl",
+      "Clip/None.glsl", "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl",
+      "Span/None.glsl", "RayMarch.frag.glsl" }));
 }
 
 TEST(ShaderRecipe, EveryRecipeIsListedOnce)
@@ -319,7 +321,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 287u);
+  EXPECT_EQ(distinct.size(), 290u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -65,9 +65,21 @@ MarchPlan MarchPlan::WithViewport(const Viewport& otherViewport) const
   return plan;
 }
 
-Viewport TrialPixels(const Viewport& frame)
+glm::ivec2 MarchPlan::ImagePixels() const
 {
-  return { 0, 0, std::min(frame.width, 96), std::min(frame.height, 48) };
+  return this->isTrial ? this->triedPixels
+                       : glm::ivec2(this->viewport.width, this->viewport.height);
+}
+
+Viewport TrialPixels(const Viewport& image, int most)
+{
+  constexpr int BlockColumns = 4;
+  constexpr int BlockRows = 2;
+  const int usualRows = int(std::sqrt(0.5 * most));
+  const int columns = most / std::min(image.height, usualRows);
+  const int width = columns < image.width ? columns / BlockColumns * BlockColumns : image.width;
+  const int rows = most / width;
+  return { 0, 0, width, rows < image.height ? rows / BlockRows * BlockRows : image.height };
 }
 
 MarchPlan PlanOf(const Frame& frame, const std::optional<PictureQuality>& quality)

@@ -63,6 +63,7 @@ struct MarchPlan
   ShaderRole role = ShaderRole::MarchRays;
   Viewport viewport = {};
   glm::dvec2 rayOffsetPixels = glm::dvec2(0.0); ///< The offset of rays from their pixels' centres.
+  glm::ivec2 triedPixels = glm::ivec2(0); ///< The size of the image that a trial image has rays of.
   bool addsUp = false;        ///< True if the colours are added to those in the framebuffer.
   bool isTrial = false;       ///< True for a trial image, in which fetches are not counted.
   bool isLit = true;          ///< False for a trial of opacities, which do not depend on light.
@@ -82,11 +83,15 @@ struct MarchPlan
   MarchPlan WithPass(RayPass otherPass) const;
   MarchPlan WithRole(ShaderRole otherRole) const;
   MarchPlan WithViewport(const Viewport& otherViewport) const;
+  /// The size of the image whose rays are marched, of which a trial image has a part.
+  glm::ivec2 ImagePixels() const;
 };
 
-/// The rays of a trial image for a frame of this size: enough to estimate the 99.9th percentile of
-/// an error, in two tiles of a software rasteriser, so that two cores share the work.
-Viewport TrialPixels(const Viewport& frame);
+/// The rays of a trial image for an image of this size: all of a small one, otherwise enough to
+/// estimate the 99.9th percentile of an error, in two tiles of a software rasteriser, so that two
+/// cores share the work. Shaders/Math/TrialPixel.glsl says which rays they are.
+/// @param most  the number of rays; a quarter of the usual number for a small trial image
+Viewport TrialPixels(const Viewport& image, int most = 96 * 48);
 
 /// The initial plan of a frame, before the resources of its volumes are known.
 /// @param quality  the quality of the image while a user interacts; none for a still image

@@ -170,7 +170,7 @@ RayParameters RayParametersOf(const VolumeMarch& march, const Box& boxGrid)
   RayParameters p = {};
   SetRays(p, march, boxGrid);
   p.viewportOriginPixels = glm::dvec2(viewport.left, viewport.bottom) - march.plan.rayOffsetPixels;
-  p.viewportPixelsInverse = 1.0 / glm::dvec2(viewport.width, viewport.height);
+  p.viewportPixelsInverse = 1.0 / glm::dvec2(march.plan.ImagePixels());
   p.stepMm = float(march.plan.sampleDistanceMm);
   p.shadowStepMm = float(std::max(WantedShadowStepMm(march), ShortestShadowStepMm(march)));
   p.mostSegments = MostSegmentsOf(march);

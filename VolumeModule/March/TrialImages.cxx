@@ -1,6 +1,7 @@
 #include "March/TrialImages.h"
 
 #include "Core/Quality/TrialDistances.h"
+#include "March/RayParametersBuilder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,17 +26,15 @@ bool IsSame(const TrialImage& one, const TrialImage& other)
 
 MarchPlan TrialImage::PlanOf(const MarchPlan& image) const
 {
-  Viewport pixels = TrialPixels(image.viewport);
-  if (this->isSmall)
-  {
-    pixels.width = std::max(pixels.width / 2, 1);
-    pixels.height = std::max(pixels.height / 2, 1);
-  }
-  MarchPlan tried = image.WithViewport(pixels);
+  const Viewport all = RaysOf(image.viewport, image.imageSampleDistance);
+  constexpr int RaysIfSmall = 48 * 24;
+  MarchPlan tried =
+    image.WithViewport(this->isSmall ? TrialPixels(all, RaysIfSmall) : TrialPixels(all));
   tried.pass = RayPass::Whole;
   tried.integration = this->integration;
   tried.sampleDistanceMm = this->sampleDistanceMm;
   tried.isTrial = true;
+  tried.triedPixels = { all.width, all.height };
   tried.isLit = this->isLit;
   tried.hasSmallTable = this->hasSmallTable;
   tried.light = this->light;

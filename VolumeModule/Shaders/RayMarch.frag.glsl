@@ -9,7 +9,7 @@ out vec4 fragOutput0;
 
 Ray PixelRay()
 {
-  vec2 pixel = (gl_FragCoord.xy - viewportOriginPixels) * viewportPixelsInverse * 2.0 - 1.0;
+  vec2 pixel = RayPixel() * viewportPixelsInverse * 2.0 - 1.0;
   vec4 start = rayStartGrid[0] + pixel.x * rayStartGrid[1] + pixel.y * rayStartGrid[2];
   vec3 direction =
     rayDirectionGrid[0] + pixel.x * rayDirectionGrid[1] + pixel.y * rayDirectionGrid[2];

@@ -1,7 +1,6 @@
 #include "Core/Packets/PacketMarch.h"
 
 #include "Core/Blocks/ReadingGate.h"
-#include "Core/Packets/PacketImages.h"
 #include "Core/Packets/PacketTile.h"
 
 #include <glm/vec2.hpp>
@@ -123,19 +122,6 @@ void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba,
 void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba)
 {
   MarchPackets(scene, pixels, rgba, FastestSet());
-}
-
-void MarchPacketsTogether(const std::vector<PacketImage>& images, const Viewport& pixels)
-{
-  // Between few rays lie many voxels.
-  ForEachPacket(pixels, PacketSize,
-    [&](const Viewport& packet)
-    {
-      for (const PacketImage& image : images)
-      {
-        TileMarchOf(*image.scene, FastestSet())(*image.scene, pixels, packet, image.rgba);
-      }
-    });
 }
 
 }

@@ -57,7 +57,8 @@ std::string ProbeFile(const RenderSettings& settings)
 }
 
 using Parts = std::vector<std::string>;
-const Parts PartsOfRays = { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl" };
+const Parts PartsOfRays = { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl",
+  "RayPixel.glsl" };
 const Parts PartsOfVolume = { "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl" };
 
 Parts PartsOfRaysAndVolume()

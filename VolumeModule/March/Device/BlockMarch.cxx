@@ -29,7 +29,7 @@ void BlockMarch::Draw(const Frame& frame, const MarchPlan& plan)
     });
 
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
-  drawn.coverGrid = plan.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
+  drawn.coverGrid = CoverOfRays(frame, plan, drawn.coverGrid);
   EarlierDrawings earlier;
   earlier.gathered = this->accumulation.Finished();
   this->boxes.Draw(frame, plan.WithPass(RayPass::Picture), drawn, earlier);
@@ -45,8 +45,7 @@ void BlockMarch::DrawBlock(const Frame& frame, MarchPlan plan, int block)
   drawn.voxels = partition.VoxelsOf(block);
   // The shader, not the rasteriser, decides which of two blocks a ray enters at their common face,
   // so the cover is larger than the block.
-  drawn.coverGrid =
-    plan.addsUp ? WithItsEdges(visible) : Box{ visible.lower - 0.5, visible.upper + 0.5 };
+  drawn.coverGrid = CoverOfRays(frame, plan, { visible.lower - 0.5, visible.upper + 0.5 });
   // A cut may end the volume at a face of the block; no other block begins there then.
   const glm::dvec3 upper = partition.BoxOf(block, frame.geometry.boxGrid).upper;
   const glm::bvec3 isShared = glm::lessThan(upper, frame.cuts.boxGrid.upper);

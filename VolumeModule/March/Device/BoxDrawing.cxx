@@ -1,5 +1,6 @@
 #include "March/Device/BoxDrawing.h"
 
+#include "Core/Geometry/ProjectedBox.h"
 #include "March/RayParametersBuilder.h"
 #include "March/VolumeParametersBuilder.h"
 #include "VtkVersions.h"
@@ -137,6 +138,29 @@ Box WithItsEdges(const Box& box)
   return { box.lower - more, box.upper + more };
 }
 
+// The box around everything between near and far plane.
+Box CoverOfView(const Frame& frame)
+{
+  const glm::dmat4 gridFromClip =
+    glm::inverse(ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid);
+  Box box = frame.geometry.boxGrid;
+  for (const glm::dvec4& corner : CornersOf({ glm::dvec3(-1.0), glm::dvec3(1.0) }, gridFromClip))
+  {
+    const glm::dvec3 place = glm::dvec3(corner) / corner.w;
+    box = { glm::min(box.lower, place), glm::max(box.upper, place) };
+  }
+  return WithItsEdges(box);
+}
+
+Box CoverOfRays(const Frame& frame, const MarchPlan& plan, const Box& box)
+{
+  if (plan.isTrial)
+  {
+    return CoverOfView(frame);
+  }
+  return plan.addsUp ? WithItsEdges(box) : box;
+}
+
 void BoxDrawing::Draw(const Frame& frame, const MarchPlan& plan, const DrawnBlock& drawn,
   const EarlierDrawings& earlier)
 {
@@ -186,7 +210,7 @@ RayParameters BoxDrawing::ParametersOfRays(
   rays.boxUpperGrid = drawn.boxGrid.upper;
   rays.sharedUpperGrid = drawn.sharedUpperGrid;
   rays.depthPixelsPerPixel =
-    glm::dvec2(this->resources.Depth().SizePixels()) / glm::dvec2(viewport.width, viewport.height);
+    glm::dvec2(this->resources.Depth().SizePixels()) / glm::dvec2(march.plan.ImagePixels());
   rays.imageCount = float(earlier.imageCount);
   rays.rowsOfNext = earlier.rowsOfNext;
   if (earlier.marched)
@@ -230,6 +254,7 @@ void BoxDrawing::SetParameters(
   vtkVolume* const prop = march.frame.view.prop;
   this->program.SetRays(
     this->ParametersOfRays(march, drawn, earlier), this->TexturesOfRays(earlier));
+  this->program.SetRayPixels(march.plan);
   if (marchesRays && march.settings.pass != RayPass::Accumulated)
   {
     this->SetVolumes(march, drawn);

@@ -34,6 +34,13 @@ DrawnBlock AllThatIsVisible(const Box& drawnBox);
 /// few pixels wide.
 Box WithItsEdges(const Box& box);
 
+/// A box that covers all pixels of the view.
+Box CoverOfView(const Frame& frame);
+
+/// The box that a drawing rasterises for its rays through a box. The rays of a trial image may be
+/// beside the centres of its pixels by as much as their width, so it covers the whole view.
+Box CoverOfRays(const Frame& frame, const MarchPlan& plan, const Box& box);
+
 /// The results of earlier drawings that a drawing reads; null and zero if its pass needs none.
 struct EarlierDrawings
 {

@@ -20,6 +20,8 @@
 #include "vtkTextureObject.h"
 #include "vtkVolume.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
@@ -196,6 +198,20 @@ void RayMarchProgram::SetRays(const RayParameters& parameters, const RayTextures
   Bind(this->program, "RayParameters", 0);
   this->rays.Upload(0, parameters);
   this->Activate(names, TexturesIn(textures));
+}
+
+void RayMarchProgram::SetRayPixels(const MarchPlan& plan)
+{
+  const glm::ivec2 rays =
+    plan.isTrial ? glm::ivec2(plan.viewport.width, plan.viewport.height) : glm::ivec2(0);
+  for (const auto& [name, value] :
+    { std::pair("trialRays", rays), std::pair("imagePixels", plan.ImagePixels()) })
+  {
+    if (this->program->IsUniformUsed(name))
+    {
+      this->program->SetUniform2i(name, glm::value_ptr(value));
+    }
+  }
 }
 
 void RayMarchProgram::SetVolume(std::size_t volume, std::size_t count,

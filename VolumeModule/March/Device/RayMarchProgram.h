@@ -4,6 +4,7 @@
 #include "Core/Parameters/MarchParameters.h"
 #include "Core/Parameters/MarchTextures.h"
 #include "Core/Recipe/RenderSettings.h"
+#include "Frame/MarchPlan.h"
 #include "Frame/UserShaderCode.h"
 #include "March/Device/UniformBuffer.h"
 
@@ -34,6 +35,8 @@ public:
 
   /// Uploads the parameters of the rays, and activates the textures that the program reads.
   void SetRays(const RayParameters& parameters, const RayTextures& textures);
+  /// Sets which pixels have rays: see Shaders/RayPixel.glsl.
+  void SetRayPixels(const MarchPlan& plan);
 
   /// Does the same for one of the volumes of the program.
   /// @param volume  the index of the volume in the shader

@@ -19,7 +19,7 @@ void ShaderMarcher::Draw(const Frame& frame, const MarchPlan& plan)
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
   drawn.block = &this->resources.First().Blocks().Take(frame.view.window, 0);
   drawn.voxels = { glm::ivec3(0), frame.geometry.dimensions };
-  drawn.coverGrid = plan.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
+  drawn.coverGrid = CoverOfRays(frame, plan, drawn.coverGrid);
   this->boxes.Draw(frame, plan, drawn);
 }
 

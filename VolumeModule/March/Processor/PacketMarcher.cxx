@@ -1,8 +1,8 @@
 #include "March/Processor/PacketMarcher.h"
 
 #include "Core/Geometry/ProjectedBox.h"
-#include "Core/Packets/PacketImages.h"
 #include "Core/Packets/PacketMarch.h"
+#include "Core/Quality/TrialRays.h"
 #include "March/Processor/PacketScenes.h"
 #include "VtkVersions.h"
 
@@ -13,7 +13,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <deque>
 
 namespace varimarch
@@ -79,6 +83,71 @@ std::vector<PacketScene> PartsOf(
   return { other };
 }
 
+// The depths of the pixels that the rays of a trial image belong to.
+std::vector<float> TrialDepthsOf(const PacketSurroundings& around, const MarchPlan& plan)
+{
+  const float* const depths = around.textures.depthTexture.Texels<float>();
+  const glm::ivec2 rays(plan.viewport.width, plan.viewport.height);
+  const glm::dvec2 texels(around.depthPixels);
+  std::vector<float> tried;
+  for (int i = 0; i < rays.x * rays.y; ++i)
+  {
+    const glm::ivec2 pixel = TrialPixelOf({ i % rays.x, i / rays.x }, rays, plan.ImagePixels());
+    const glm::ivec2 texel((glm::dvec2(pixel) + 0.5) * texels / glm::dvec2(plan.ImagePixels()));
+    tried.push_back(depths[std::ptrdiff_t(texel.y) * around.depthPixels.x + texel.x]);
+  }
+  return tried;
+}
+
+// The scene of a block of rays, whose pixels in the image are equally far apart.
+PacketScene SceneOfBlock(const PacketScene& scene, const Viewport& block, const glm::ivec2& rays,
+  const glm::ivec2& imagePixels)
+{
+  const glm::ivec2 corner(block.left, block.bottom);
+  const glm::ivec2 first = TrialPixelOf(corner, rays, imagePixels);
+  const glm::dvec2 apart(TrialPixelOf(corner + 1, rays, imagePixels) - first);
+  PacketScene moved = scene;
+  moved.rays.viewportPixelsInverse = apart / glm::dvec2(imagePixels);
+  moved.rays.viewportOriginPixels = glm::dvec2(corner) + 0.5 - (glm::dvec2(first) + 0.5) / apart;
+  return moved;
+}
+
+/// One of several images of the same rays.
+struct PacketImage
+{
+  const PacketScene* scene;
+  float* rgba; ///< See MarchPackets.
+};
+
+// Marches the rays of trial images, each packet through all images before the next: voxels that do
+// not fit in memory are read for all images at once.
+void MarchBlocks(
+  const std::vector<PacketImage>& images, const Viewport& pixels, const glm::ivec2& imagePixels)
+{
+  const glm::ivec2 rays(pixels.width, pixels.height);
+  const glm::ivec2 size(PacketWidth, PacketHeight);
+  const glm::ivec2 count = (rays + size - 1) / size;
+  std::atomic<int> next = 0;
+  tbb::parallel_for(0, count.x * count.y,
+    [&](int)
+    {
+      const int i = next++; // in turn, so that cores read voxels that lie together
+      const glm::ivec2 corner = glm::ivec2(i % count.x, i / count.x) * size;
+      const glm::ivec2 inside = glm::min(size, rays - corner);
+      const Viewport block{ corner.x, corner.y, inside.x, inside.y };
+      for (const PacketImage& image : images)
+      {
+        std::array<float, 4 * PacketWidth * PacketHeight> rgba;
+        MarchPackets(SceneOfBlock(*image.scene, block, rays, imagePixels), block, rgba.data());
+        for (int row = 0; row < inside.y; ++row)
+        {
+          std::copy_n(&rgba[std::size_t(4 * inside.x * row)], 4 * inside.x,
+            image.rgba + 4 * (std::ptrdiff_t(corner.y + row) * rays.x + corner.x));
+        }
+      }
+    });
+}
+
 using glm::clamp;
 using glm::vec2;
 using glm::vec4;
@@ -103,7 +172,7 @@ void PacketMarcher::Draw(const Frame& frame, const MarchPlan& plan)
     return;
   }
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
-  drawn.coverGrid = plan.addsUp ? WithItsEdges(drawn.coverGrid) : drawn.coverGrid;
+  drawn.coverGrid = CoverOfRays(frame, plan, drawn.coverGrid);
   const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
   const Viewport pixels = WithinScissors(PixelsOf(drawn.coverGrid, clipFromGrid, plan.viewport),
     plan.viewport, frame.view.window->GetState());
@@ -140,8 +209,7 @@ std::vector<std::vector<float>> PacketMarcher::DrawTrials(
       MarchOf(frame, plans[i]), this->resources, this->SurroundingsOf(frame, plans[i]), pixels);
     images.push_back({ &scenes.back().Scene(), drawn[i].data() });
   }
-  images.size() == 1 ? MarchPackets(*images.front().scene, pixels, images.front().rgba)
-                     : MarchPacketsTogether(images, pixels);
+  MarchBlocks(images, pixels, plans.front().ImagePixels());
   for (std::vector<float>& rgba : drawn)
   {
     if (frame.settings.windowLevel)
@@ -162,6 +230,12 @@ PacketSurroundings PacketMarcher::SurroundingsOf(const Frame& frame, const March
     around.depthPixels = this->resources.Depth().SizePixels();
   }
   around.textures = this->resources.Textures();
+  if (plan.isTrial && around.textures.depthTexture)
+  {
+    around.trialDepths = TrialDepthsOf(around, plan);
+    around.depthPixels = { plan.viewport.width, plan.viewport.height };
+    around.textures.depthTexture.inMemory = around.trialDepths.data();
+  }
   if (frame.settings.mask == Mask::Labels)
   {
     const VolumeResources& first = this->resources.First();

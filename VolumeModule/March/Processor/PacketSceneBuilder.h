@@ -18,6 +18,7 @@ struct PacketSurroundings
   Box drawnBox; ///< The box that rays are marched through [grid space].
   RayTextures textures;
   glm::ivec2 depthPixels;           ///< The size of the image of depths.
+  std::vector<float> trialDepths;   ///< The depth image of a trial image's rays; may be empty.
   std::vector<float> layerDepths;   ///< PeeledDepths of Slots.glsl for each pixel; may be empty.
   std::vector<PacketRow> labelRows; ///< The tables of labels.
 };

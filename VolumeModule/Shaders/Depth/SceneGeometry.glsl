@@ -13,7 +13,7 @@ float DepthLimitAt(Ray ray, vec2 pixel)
 
 float DepthLimit(Ray ray)
 {
-  return DepthLimitAt(ray, gl_FragCoord.xy - viewportOriginPixels);
+  return DepthLimitAt(ray, RayPixel());
 }
 
 // A bilateral weight by the ends of the two rays: Kopf et al., "Joint bilateral upsampling"
