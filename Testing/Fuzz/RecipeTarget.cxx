@@ -121,6 +121,10 @@ RenderSettings ChosenSettings(ChosenNumbers& numbers)
     settings.acceleration = Acceleration::Off;
     settings.integration = Integration::Midpoint;
   }
+  const bool isMean = settings.blend == Blend::AverageIntensity &&
+    settings.components == Components::One && settings.acceleration == Acceleration::Off;
+  settings.limitsMean =
+    isMean && !settings.nearest && !settings.cubic && !settings.uneven && numbers.Flag();
   return settings;
 }
 

@@ -191,8 +191,8 @@ def shaders_have_no_switches():
 LEFT_TO_SHADERS = set(
     """Blend/ComponentAdditive Blend/ComponentAverage Blend/ComponentExtreme
     Gradient/ClippedDifferences Gradient/Stored March/FirstHit March/MaterialFromBehind
-    March/MidpointFromBehind March/PublishedSum March/Simpson March/Slice March/VoxelSurfaces
-    Material/TwoValues Probe/FetchCount Sample/Texel Step/CellField
+    March/MidpointFromBehind March/PublishedSum March/RangeMean March/Simpson March/Slice
+    March/VoxelSurfaces Material/TwoValues Probe/FetchCount Sample/Texel Step/CellField
     Step/VariationField Values/Two""".split()
 )
 

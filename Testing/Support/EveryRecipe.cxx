@@ -155,6 +155,18 @@ std::vector<RenderSettings> RecipesInBlocks()
   return recipes;
 }
 
+std::vector<RenderSettings> RecipesOfRangeMeans()
+{
+  std::vector<RenderSettings> recipes;
+  for (RayPass pass : { RayPass::Whole, RayPass::Block, RayPass::PickVoxel })
+  {
+    recipes.push_back({ Blend::AverageIntensity, Acceleration::Off });
+    recipes.back().limitsMean = true;
+    recipes.back().pass = pass;
+  }
+  return recipes;
+}
+
 std::vector<RenderSettings> RecipesOfFunctionsAndMasks()
 {
   RenderSettings binary;
@@ -317,7 +329,7 @@ std::vector<RenderSettings> EveryRecipe()
       RecipesInBlocks(), RecipesOfPictures(), RecipesOfShadows(), RecipesOfOcclusion(),
       RecipesOfSplines(), RecipesWithCuts(), RecipesOfSeveralVolumes(), RecipesOfVolumesInLight(),
       RecipesFromBehind(), RecipesWithStoredGradients(), RecipesFilteredByTexels(),
-      ExactRecipes() })
+      RecipesOfRangeMeans(), ExactRecipes() })
   {
     recipes.insert(recipes.end(), others.begin(), others.end());
   }

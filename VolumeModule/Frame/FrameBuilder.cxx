@@ -218,7 +218,11 @@ void ChooseAveraged(const MapperNumbers& numbers, Frame& frame)
   // A spline exceeds the range of its voxels by less than the width of that range.
   const double beyond = frame.settings.cubic ? scalars[1] - scalars[0] : 0.0;
   const bool allCount = averaged[0] <= scalars[0] - beyond && scalars[1] + beyond <= averaged[1];
-  if (!allCount && frame.settings.acceleration == Acceleration::OpticalField)
+  const bool hasCubics = frame.settings.components == Components::One &&
+    !(frame.settings.nearest || frame.settings.cubic || frame.settings.uneven);
+  frame.settings.limitsMean = hasCubics && !allCount;
+  const bool isOptical = frame.settings.acceleration == Acceleration::OpticalField;
+  if (frame.settings.limitsMean || (isOptical && !allCount))
   {
     frame.settings.acceleration = Acceleration::Off;
   }

@@ -37,7 +37,7 @@ Fingerprint ExtinctionChoices(const RenderSettings& settings)
     uneven, clipping, cropping, clippedGradients, gaps, fillGaps, countFetches, skipsBricks, pass,
     role, damping, lights, shadows, softLights, casters, scattering, occlusion, mask, labelSurfaces,
     functionOf, components, componentCount, gradientOpacity, storedGradients, jitter, windowLevel,
-    limitsSpan, fromBehind, overlaps, shadowsOthers, occludesOthers, others] = settings;
+    limitsSpan, limitsMean, fromBehind, overlaps, shadowsOthers, occludesOthers, others] = settings;
   return Fingerprint(blend, acceleration, nearest, cubic, uneven, clipping, cropping,
     clippedGradients, fillGaps, mask, functionOf, components, componentCount, gradientOpacity);
 }

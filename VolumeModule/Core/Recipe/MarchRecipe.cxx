@@ -54,6 +54,10 @@ std::string MarchFile(const RenderSettings& settings)
       : settings.blend == Blend::Composite ? "March/Voxels.glsl"
                                            : "March/ProjectedVoxels.glsl";
   }
+  if (settings.limitsMean)
+  {
+    return "March/RangeMean.glsl";
+  }
   if (settings.blend != Blend::Composite)
   {
     return IsSampled(settings) ? "March/Projection.glsl" : "March/Extreme.glsl";
@@ -80,8 +84,8 @@ std::vector<std::string> LoopParts(const std::string& march)
       return { "Loop/Segments.glsl" };
     }
   }
-  for (const char* const rule :
-    { "Voxels", "ProjectedVoxels", "MaterialVoxels", "VoxelSurfaces", "Isosurfaces", "Extreme" })
+  for (const char* const rule : { "Voxels", "ProjectedVoxels", "MaterialVoxels", "VoxelSurfaces",
+         "Isosurfaces", "Extreme", "RangeMean" })
   {
     if (march == std::string("March/") + rule + ".glsl")
     {

@@ -196,6 +196,9 @@ struct RenderSettings
   bool windowLevel = false;     ///< colours of the image are scaled
   bool limitsSpan =
     false; ///< rays begin at a distance from the eye, or end after a number of steps
+  /// Averages of one component with linear interpolation, evenly spaced: only values in a range
+  /// count.
+  bool limitsMean = false;
   bool fromBehind = false;    ///< composited from the back; with Acceleration::Off
   bool overlaps = false;      ///< drawn together with other volumes; composite only
   bool shadowsOthers = false; ///< with overlaps: light of any of the volumes comes through this one
