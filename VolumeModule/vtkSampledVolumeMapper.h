@@ -111,8 +111,9 @@ public:
    * that 99.9 % of the pixels keep it and none exceeds twice this value. For 0, the sample distance
    * and EarlyTerminationTransmittance have their own values.
    *
-   * The error is estimated from a few thousand rays, for each new view; a nearby view of a moving
-   * camera uses the last estimate. This costs 10 to 20 % of a frame's time. It is an estimate, not
+   * The error is estimated from a few thousand rays of each new view, at random places. In a nearby
+   * view of a moving camera a thousand rays confirm the last steps; if they do not, other steps are
+   * searched for. This costs 10 to 20 % of a frame's time. It is an estimate, not
    * a proof: it may miss rays that just graze a hard surface, or a peak of opacity that is too
    * narrow for any sample. A tolerance that 128 samples per voxel cannot keep is reported as a
    * warning.

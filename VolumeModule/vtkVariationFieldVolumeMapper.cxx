@@ -265,7 +265,7 @@ double vtkVariationFieldVolumeMapper::GetEstimatedError()
   {
     return 0.0;
   }
-  return this->Private->Last->HasUnknownError() ? 1.0 : found->error;
+  return this->Private->Last->HasUnknownError() ? 1.0 : this->Private->Last->EstimatedError();
 }
 
 void vtkVariationFieldVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
@@ -380,7 +380,8 @@ bool vtkVariationFieldVolumeMapper::GetErrorToleranceIsKept()
   {
     return false;
   }
-  return !found || (found->KeepsLimit() && !this->Private->Last->HasUnknownError());
+  return !found ||
+    (this->Private->Last->KeepsTolerance() && !this->Private->Last->HasUnknownError());
 }
 
 int vtkVariationFieldVolumeMapper::FillInputPortInformation(int port, vtkInformation* information)

@@ -123,10 +123,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Estimated error of the integration steps, for the last frame or for a nearby view before it, in
-   * a premultiplied channel [0, 1]: 99.9 % of the pixels are off by at most this. 0 without an
-   * error tolerance; 1, the largest possible error, if nothing is known because the table of the
-   * transfer function misses parts of it.
+   * Estimated error of the integration steps, by some rays of the last frame, in a premultiplied
+   * channel [0, 1]: 99.9 % of the pixels are off by at most this. 0 without an error tolerance; 1,
+   * the largest possible error, if nothing is known because the table of the transfer function
+   * misses parts of it.
    */
   double GetEstimatedError();
 
@@ -297,9 +297,9 @@ public:
   vtkIdType GetLightMemoryBytes();
 
   /**
-   * True if the last frame keeps the ErrorTolerance everywhere. False if steps cannot keep it, or
-   * if isolated rays graze an opaque surface; a warning then names the error and the sample
-   * distance.
+   * True if the last frame keeps the ErrorTolerance everywhere, by some of its own rays. False if
+   * steps cannot keep it, or if isolated rays graze an opaque surface; a warning then names the
+   * error and the sample distance. False too while a larger error is accepted during interaction.
    */
   bool GetErrorToleranceIsKept();
 

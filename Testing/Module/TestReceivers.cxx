@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <random>
+
 TEST(Receivers, OfDiffuseLightHaveTheirClosedForm)
 {
   CubeAboveFloor cube;
@@ -236,4 +238,65 @@ TEST(Receivers, OfSmoothSurfacesAreLitByTheirNormals)
     largest = std::max(largest, double(lit[pixel] - drawn[pixel]));
   }
   EXPECT_GT(largest, 0.1);
+}
+
+namespace
+{
+
+// Voxels as large as the pixels of an image from above, with noise in each second row along x.
+vtkSmartPointer<vtkImageData> NoiseInEachSecondRow(int size, double pixelMm)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size / 2, size, size / 4);
+  image->SetSpacing(pixelMm, pixelMm, pixelMm);
+  image->SetOrigin(0.0, 0.5 * pixelMm * (1 - size), 0.0);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::mt19937 random(5);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const bool isNoise = i / (size / 2) % 2 == 0;
+    voxels[i] = isNoise ? static_cast<unsigned char>(random() % 201) : 100;
+  }
+  return image;
+}
+
+}
+
+// Only every second row of pixels shows a shadow.
+TEST(Receivers, InShadowsBetweenRowsKeepTheTolerance)
+{
+  constexpr int Size = 96;
+  constexpr double HalfMm = 12.0;
+  MapperScene scene(NoiseInEachSecondRow(Size, 2.0 * HalfMm / Size), Size);
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AddPoint(40.0, 0.0);
+  scene.opacities->AddPoint(50.0, 0.6);
+  scene.opacities->AddPoint(60.0, 0.0);
+  scene.volume->GetProperty()->ShadeOn();
+  scene.mapper->ShadowsOn();
+  scene.renderer->AutomaticLightCreationOff();
+  AddLight(scene.renderer, { 100.0, 0.0, 100.0 }, glm::dvec3(0.0));
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-40.0, -40.0, FloorZ);
+  plane->SetPoint1(40.0, -40.0, FloorZ);
+  plane->SetPoint2(-40.0, 40.0, FloorZ);
+  vtkNew<vtkPolyDataMapper> faces;
+  faces->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkActor> floor;
+  floor->SetMapper(faces);
+  scene.renderer->AddActor(floor);
+  scene.LookDown(glm::dvec3(-HalfMm - 1.0, 0.0, 0.0), HalfMm);
+
+  scene.mapper->SetErrorTolerance(1.0 / 64.0);
+  const std::vector<float> drawn = scene.DrawByProcessor();
+  scene.mapper->SetErrorTolerance(0.0);
+  scene.mapper->AutoAdjustSampleDistancesOff();
+  scene.mapper->SetSampleDistance(0.01 * HalfMm / Size);
+  const std::vector<float> fine = scene.DrawByProcessor();
+  const varimarch::ImageError error =
+    varimarch::CompareImages(drawn.data(), fine.data(), fine.size() / 4);
+  EXPECT_LE(error.percentile999, 255.0 / 64.0 + 255.0 * OfBytes);
 }

@@ -13,11 +13,12 @@ namespace varimarch
 namespace
 {
 
-std::string ExceededTolerance(double tolerance, const StepChoice& step)
+// @param where  the part of the image, after a blank, or nothing
+std::string ExceededTolerance(double tolerance, const StepChoice& step, const char* where)
 {
   std::ostringstream text;
-  text << "The error tolerance " << tolerance << " cannot be kept: with a sample every "
-       << step.sampleDistance;
+  text << "The error tolerance " << tolerance << " cannot be kept" << where
+       << ": with a sample every " << step.sampleDistance;
   if (step.error > tolerance)
   {
     text << ", 99.9 % of the pixels are off by up to " << step.error << ". ";
@@ -116,7 +117,12 @@ std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMar
   warnings += marcher.FoundStep() ? WarningsOfUnknownLight(marcher) : "";
   if (marcher.FoundStep() && !marcher.FoundStep()->KeepsLimit())
   {
-    warnings += ExceededTolerance(mapper->GetErrorTolerance(), *marcher.FoundStep());
+    warnings += ExceededTolerance(mapper->GetErrorTolerance(), *marcher.FoundStep(), "");
+  }
+  if (marcher.FoundStepOfLight() && !marcher.FoundStepOfLight()->KeepsLimit())
+  {
+    warnings += ExceededTolerance(mapper->GetErrorTolerance(), *marcher.FoundStepOfLight(),
+      " in the shadows on opaque geometry");
   }
   return warnings;
 }

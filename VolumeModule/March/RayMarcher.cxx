@@ -98,6 +98,8 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
 {
   MarchPlan plan = this->Prepare(frame, quality);
   this->TakeSteps(frame, plan);
+  this->stepFactor = plan.budget.stepFactor;
+  this->lacksRays = plan.imageSampleDistance > frame.image.sampleDistance;
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
   this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
@@ -109,6 +111,19 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->darkensDenseMatter = this->FindDarkenedMatter(frame, plan);
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
+}
+
+bool RayMarcher::KeepsTolerance() const
+{
+  const auto isKept = [&](const std::optional<StepChoice>& step)
+  { return !step || this->stepFactor * step->ofLimit <= 1.0; };
+  return !this->lacksRays && isKept(this->foundStep) && isKept(this->FoundStepOfLight());
+}
+
+double RayMarcher::EstimatedError() const
+{
+  const double ofLight = this->FoundStepOfLight() ? this->FoundStepOfLight()->error : 0.0;
+  return this->foundStep ? std::max(this->foundStep->error, ofLight) : 0.0;
 }
 
 void RayMarcher::CastOnGeometry(
@@ -247,8 +262,8 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
   plan.integration = this->tolerance.Choice()->integration;
   plan.light = this->tolerance.Choice()->light;
   // Shaders that count fetches may draw with steps that were found with packets.
-  plan.sampleDistanceMm = std::max(
-    this->tolerance.SampleDistanceInViewMm(), ShortestDistanceWithSkyMm(frame, plan.marcher));
+  plan.sampleDistanceMm =
+    std::max(this->foundStep->sampleDistance, ShortestDistanceWithSkyMm(frame, plan.marcher));
 }
 
 ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const

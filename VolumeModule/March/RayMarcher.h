@@ -87,6 +87,13 @@ public:
   double WantedSampleDistanceMm() const { return this->wantedSampleDistanceMm; }
   /// The steps that were found for the last image; none if it had no tolerance.
   const std::optional<StepChoice>& FoundStep() const { return this->foundStep; }
+  /// True if the steps of the volume and those of its light on geometry keep the error tolerance,
+  /// or if there is none. False while a user interacts and the image has fewer rays for that.
+  bool KeepsTolerance() const;
+  /// The steps that were found for the light of the last image on opaque geometry.
+  const std::optional<StepChoice>& FoundStepOfLight() const { return this->dimming.FoundStep(); }
+  /// The estimated 99.9th percentile of the errors of these steps, [0, 1]; 0 without a tolerance.
+  double EstimatedError() const;
   /// True if the table of a transfer function misses parts of it.
   bool MissesCurve() const { return this->resources.MissesCurve(); }
   bool MergesValues() const { return this->resources.MergesValues(); }
@@ -145,6 +152,8 @@ private:
   ToleranceSearch tolerance;
   std::optional<CommonSteps> commonSteps;
   std::optional<StepChoice> foundStep;
+  double stepFactor = 1.0; ///< See ErrorBudget.
+  bool lacksRays = false;  ///< True if the image has fewer rays because a user interacts.
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };

@@ -13,7 +13,7 @@ namespace
 {
 
 // A view is near another if no corner of a volume has moved by more than this part of the image.
-constexpr double NearMove = 0.05;
+constexpr double NearMove = 0.15;
 
 // The shader files that the request of a volume takes, whatever the march finds out about it.
 std::vector<std::string> RecipeOf(const Frame& frame)
@@ -60,18 +60,11 @@ Fingerprint VoxelInputsOf(const VolumeMarch& march, const VolumeResources& volum
 
 }
 
-bool ToleranceInputs::HasViewNear(const ToleranceInputs& other) const
+bool IsNear(const std::vector<CornersClip>& view, const std::vector<CornersClip>& other)
 {
-  if (this->view.size() != other.view.size())
-  {
-    return false;
-  }
-  double moved = 0.0;
-  for (std::size_t i = 0; i < this->view.size(); ++i)
-  {
-    moved = std::max(moved, LargestMove(this->view[i], other.view[i]));
-  }
-  return moved <= NearMove;
+  const auto isNear = [](const CornersClip& one, const CornersClip& there)
+  { return LargestMove(one, there) <= NearMove; };
+  return std::equal(view.begin(), view.end(), other.begin(), other.end(), isNear);
 }
 
 void ToleranceInputs::Add(const VolumeMarch& march, const VolumeResources& volume)

@@ -32,22 +32,14 @@ struct ToleranceInputs
   {
     return this->HasRuleOf(other) && this->voxels == other.voxels && this->scene == other.scene;
   }
-  bool HasSceneOf(const ToleranceInputs& other) const
-  {
-    return this->HasVolumesOf(other) && this->casters == other.casters;
-  }
   bool operator==(const ToleranceInputs& other) const
   {
-    return this->HasSceneOf(other) && this->view == other.view;
-  }
-  /// True if the view is nearly the same.
-  bool HasViewNear(const ToleranceInputs& other) const;
-  /// True if the scene is the same, and the view nearly the same.
-  bool IsNear(const ToleranceInputs& other) const
-  {
-    return this->HasSceneOf(other) && this->HasViewNear(other);
+    return this->HasVolumesOf(other) && this->casters == other.casters && this->view == other.view;
   }
 };
+
+/// True if two views, each the corners of all volumes, are nearly the same.
+bool IsNear(const std::vector<CornersClip>& view, const std::vector<CornersClip>& other);
 
 }
 

@@ -28,9 +28,6 @@ constexpr double MostByChance = 4.0;
 // many times the limit may be an error of the table.
 constexpr double CertainlyMissed = 4.0;
 
-// The factor of the steps of another view nearby.
-constexpr double NearbyPart = 0.9;
-
 // The number of earlier choices that are remembered: enough for a scan with many times.
 constexpr std::size_t MostRemembered = 128;
 
@@ -44,15 +41,6 @@ std::vector<float> OpacityOf(std::vector<float> picture)
   return picture;
 }
 
-// Raises the estimated error to at least that of the peaks that the rule is known to miss.
-ToleranceChoice WithMissed(ToleranceChoice choice, double missedOfLimit, const ErrorLimit& limit)
-{
-  choice.missedOfLimit = missedOfLimit;
-  choice.step.ofLimit = std::max(choice.step.ofLimit, missedOfLimit);
-  choice.step.error = std::max(choice.step.error, missedOfLimit * limit.percentile999);
-  return choice;
-}
-
 }
 
 void ToleranceSearch::Forget()
@@ -61,24 +49,16 @@ void ToleranceSearch::Forget()
   this->remembered.clear();
 }
 
-// While the view moves, a choice is reused for nearby views. A view at rest gets a choice of its
-// own, and so does a scene whose geometry rests.
+// An image at rest gets a search of its own.
 bool ToleranceSearch::Serves(const ToleranceChoice& made, const ToleranceInputs& inputs) const
 {
-  const bool isForMotion = made.isOfOtherCasters && this->viewRests && this->castersRest;
-  return this->viewRests ? made.inputs == inputs && !isForMotion : made.inputs.IsNear(inputs);
+  return made.inputs == inputs && !(made.isOfOther && this->IsAtRest());
 }
 
 bool ToleranceSearch::TakeRemembered(const ToleranceInputs& inputs)
 {
   const auto serves = [&](const ToleranceChoice& made) { return this->Serves(made, inputs); };
-  const auto isOfImage = [&](const ToleranceChoice& made)
-  { return made.inputs == inputs && serves(made); };
-  auto found = std::find_if(this->remembered.begin(), this->remembered.end(), isOfImage);
-  if (found == this->remembered.end())
-  {
-    found = std::find_if(this->remembered.begin(), this->remembered.end(), serves);
-  }
+  const auto found = std::find_if(this->remembered.begin(), this->remembered.end(), serves);
   if (found == this->remembered.end())
   {
     return false;
@@ -118,20 +98,14 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
   }
   const SearchFacts facts = FactsOf(march, volume);
   const Trial trial{ facts, { facts, draw } };
-  if (!this->KeepBesideMovedCasters(trial, inputs))
+  std::optional<ToleranceChoice> made = this->KeptChoice(trial, inputs);
+  if (!made)
   {
-    ToleranceChoice made = this->ChooseSteps(trial, inputs);
-    this->Remember();
-    this->choice = std::move(made);
+    made = this->ChooseSteps(trial, inputs);
     ++this->searches;
   }
-}
-
-double ToleranceSearch::SampleDistanceInViewMm() const
-{
-  const StepChoice& step = this->choice->step;
-  return this->choice->inputs.view == this->view ? step.sampleDistance
-                                                 : NearbyPart * step.sampleDistance;
+  this->Remember();
+  this->choice = std::move(made);
 }
 
 const std::vector<float>& ToleranceSearch::Trial::Draw(
@@ -170,32 +144,47 @@ FoundSteps ToleranceSearch::Trial::FindFrom(Integration integration, double earl
     earlierMm, drawAt, this->facts.limit, this->facts.range, this->facts.firstMm);
 }
 
+StepChoice ToleranceSearch::Trial::FirstThatKeeps(
+  Integration integration, const std::vector<double>& distancesMm)
+{
+  const auto drawAt = [&](double distanceMm) { return this->Draw(integration, distanceMm); };
+  return varimarch::FirstThatKeeps(
+    distancesMm, drawAt, this->facts.limit, this->facts.range, this->facts.firstMm);
+}
+
 ToleranceChoice ToleranceSearch::ChoiceOf(
   Trial& trial, const ToleranceInputs& inputs, Integration integration, const FoundSteps& found)
 {
-  const ToleranceChoice choice{ inputs, integration, found.choice };
-  return WithMissed(choice, MissedOfLimit(trial, choice), trial.facts.limit);
+  const StepChoice& step = found.choice;
+  return WithMissed(
+    trial, { inputs, integration, step, 0.0, {}, step.sampleDistance, inputs.view, false });
 }
 
-// The rule is chosen again only for another transfer function or volume, not while a camera moves.
-// While every image has new voxels, the last rule and its distance are tried first.
+ToleranceChoice ToleranceSearch::WithMissed(Trial& trial, ToleranceChoice choice)
+{
+  const double missedOfLimit = MissedOfLimit(trial, choice);
+  choice.missedOfLimit = missedOfLimit;
+  choice.step.ofLimit = std::max(choice.step.ofLimit, missedOfLimit);
+  choice.step.error = std::max(choice.step.error, missedOfLimit * trial.facts.limit.percentile999);
+  return choice;
+}
+
+// Where the last rule keeps the limit, it is chosen again only for another transfer function or
+// volume, not while a camera moves. While every image has new voxels, the last rule and its
+// distance are tried first.
 std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
   Trial& trial, const ToleranceInputs& inputs) const
 {
   const bool hasRule = this->choice && this->choice->inputs.HasRuleOf(inputs);
-  if (hasRule && this->choice->inputs.voxels == inputs.voxels)
-  {
-    const FoundSteps found = trial.Find(this->choice->integration, trial.facts.firstMm);
-    return WithMissed({ inputs, this->choice->integration, found.choice },
-      this->choice->missedOfLimit, trial.facts.limit);
-  }
-  if (!hasRule || !this->isSeries)
+  const bool hasVoxels = hasRule && this->choice->inputs.voxels == inputs.voxels;
+  if (!hasRule || !(hasVoxels || this->isSeries))
   {
     return std::nullopt;
   }
-  const FoundSteps found =
-    trial.FindFrom(this->choice->integration, this->choice->step.sampleDistance);
-  const ToleranceChoice made = ChoiceOf(trial, inputs, this->choice->integration, found);
+  const Integration rule = this->choice->integration;
+  const FoundSteps found = hasVoxels ? trial.Find(rule, trial.facts.firstMm)
+                                     : trial.FindFrom(rule, this->choice->step.sampleDistance);
+  const ToleranceChoice made = ChoiceOf(trial, inputs, rule, found);
   const bool isNoWorse = made.step.KeepsLimit() || !this->choice->step.KeepsLimit();
   return isNoWorse ? std::optional<ToleranceChoice>(made) : std::nullopt;
 }

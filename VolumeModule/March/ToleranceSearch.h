@@ -16,18 +16,21 @@ namespace varimarch
 /// The integration rule and the steps that keep an error tolerance.
 struct ToleranceChoice
 {
-  ToleranceInputs inputs; ///< The inputs of the search that found it.
+  ToleranceInputs inputs; ///< The inputs of the image whose rays have tried it.
   Integration integration;
   StepChoice step;
   double missedOfLimit = 0.0; ///< The error that no sample distance shows, in parts of the limit.
   LightSource light = {};     ///< The way to the light of the image.
-  bool isOfOtherCasters = false; ///< True if it was found before geometry moved, and tried since.
+  double searchedMm = 0.0;    ///< The sample distance of the search that found it.
+  std::vector<CornersClip> searchedView; ///< The view of that search.
+  bool isOfOther = false; ///< True if that search was for another image, and fewer rays tried it.
 };
 
 /// Finds the steps that keep a frame's error tolerance by drawing trial images with some of its
 /// rays, and reuses them as long as they are valid: Documentation/Decisions/0008. It remembers the
 /// choices for the last images, so that times that are played again and views that take turns are
-/// searched once.
+/// searched once. Some rays of each image have tried its choice: while a view or geometry moves,
+/// the steps stay if a quarter of the rays of a search confirm them.
 class ToleranceSearch
 {
 public:
@@ -40,11 +43,8 @@ public:
   /// those of earlier images. The choice has no inputs.
   static ToleranceChoice ChooseAnew(const SearchFacts& facts, const TrialDrawing& draw);
 
-  /// The choice for the last image, or for an earlier one from nearly the same view. Empty if the
-  /// last image had no tolerance.
+  /// The choice for the last image. Empty if it had no tolerance.
   const std::optional<ToleranceChoice>& Choice() const { return this->choice; }
-  /// The chosen sample distance, scaled to the present view [mm]. Requires a Choice().
-  double SampleDistanceInViewMm() const;
   int Searches() const { return this->searches; } ///< The number of searches so far.
 
 private:
@@ -63,12 +63,16 @@ private:
     /// @param exact  see FindSampleDistance
     FoundSteps Find(Integration integration, double firstMm, const std::vector<float>& exact = {});
     FoundSteps FindFrom(Integration integration, double earlierMm);
+    StepChoice FirstThatKeeps(Integration integration, const std::vector<double>& distancesMm);
   };
 
   /// Finds out what has changed since the last image.
   void BeginImage(const ToleranceInputs& inputs);
-  /// Keeps the choice while only geometry moves that casts shadows, if a few rays confirm it.
-  bool KeepBesideMovedCasters(Trial trial, const ToleranceInputs& inputs);
+  /// The choice for an image whose view or geometry moves, if some rays confirm an earlier one.
+  std::optional<ToleranceChoice> KeptChoice(Trial trial, const ToleranceInputs& inputs) const;
+  /// An earlier choice for nearly the same image; null if there is none.
+  const ToleranceChoice* NearbyChoice(const ToleranceInputs& inputs) const;
+  bool IsAtRest() const { return this->viewRests && this->castersRest; }
   bool Serves(const ToleranceChoice& made, const ToleranceInputs& inputs) const;
   /// Takes an earlier choice for the image, if there is one.
   bool TakeRemembered(const ToleranceInputs& inputs);
@@ -82,6 +86,8 @@ private:
   static ToleranceChoice ChooseWithLight(Trial& trial, Choose choose);
   /// The error of light that is interpolated in lattices.
   static double KeptLightOfLimit(Trial& trial, const ToleranceChoice& choice);
+  /// True if light in lattices is exact enough; adds its error to the choice.
+  static bool KeepsLight(Trial& trial, ToleranceChoice& choice);
   /// A choice by the rule of the last one; none if another rule may be better.
   std::optional<ToleranceChoice> ChooseByLastRule(
     Trial& trial, const ToleranceInputs& inputs) const;
@@ -91,6 +97,8 @@ private:
     Trial& trial, const ToleranceChoice& choice, const std::vector<float>& finest);
   static ToleranceChoice ChoiceOf(
     Trial& trial, const ToleranceInputs& inputs, Integration integration, const FoundSteps& found);
+  /// The choice with an estimated error of at least that of the peaks that its rule misses.
+  static ToleranceChoice WithMissed(Trial& trial, ToleranceChoice choice);
   /// The part of the error that no sample distance shows.
   static double MissedOfLimit(Trial& trial, const ToleranceChoice& choice);
   static double MissedPeaksOfLimit(Trial& trial, const ToleranceChoice& choice);

@@ -392,6 +392,10 @@ Fehler unbekannt</translation>
         <translation>%1 ms</translation>
     </message>
     <message>
+        <source>error about %1 %</source>
+        <translation>Fehler etwa %1 %</translation>
+    </message>
+    <message>
         <source>
 except at single pixels</source>
         <translation>

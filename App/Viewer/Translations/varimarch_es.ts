@@ -392,6 +392,10 @@ error desconocido</translation>
         <translation>%1 ms</translation>
     </message>
     <message>
+        <source>error about %1 %</source>
+        <translation>error de un %1 % aproximadamente</translation>
+    </message>
+    <message>
         <source>
 except at single pixels</source>
         <translation>

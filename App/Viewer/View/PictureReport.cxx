@@ -38,6 +38,10 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
 
 QString BoundedError(const PictureNumbers& ours)
 {
+  if (!ours.keepsTolerance && ours.estimatedError > ours.errorTolerance)
+  {
+    return Texts::tr("error about %1 %").arg(NumberText(100.0 * ours.estimatedError, 1));
+  }
   const int parts = int(std::lround(1.0 / ours.errorTolerance));
   QString error = ours.isRefined ? Texts::tr("error at most 1/%1, refined").arg(parts)
                                  : Texts::tr("error at most 1/%1").arg(parts);
@@ -85,7 +89,7 @@ PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper)
 {
   PictureNumbers numbers = { mapper->GetAccumulatedPictures(),
     mapper->GetMaximumAccumulatedPictures(), mapper->GetDrawnPart(), mapper->GetErrorTolerance(),
-    mapper->GetErrorToleranceIsKept() };
+    mapper->GetErrorToleranceIsKept(), mapper->GetEstimatedError() };
   const int level = mapper->GetUsedLevelOfDetail();
   numbers.isCoarse = level == vtkVariationFieldVolumeMapper::CoarseLevel;
   if (level == vtkVariationFieldVolumeMapper::RefinedLevel)

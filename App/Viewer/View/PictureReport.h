@@ -19,8 +19,9 @@ struct PictureNumbers
   int mostAveraged = 1;   ///< frames in the mean when it is complete
   double drawnPart = 1.0; ///< finished fraction of all these frames, [0, 1]
   double errorTolerance = 0.0;
-  bool keepsTolerance = true; ///< false if single pixels may exceed the error tolerance
-  bool isCoarse = false;      ///< true for a coarse level or copy of a volume in its file
+  bool keepsTolerance = true;  ///< false if pixels may exceed the error tolerance
+  double estimatedError = 0.0; ///< estimated error of 99.9 % of the pixels, [0, 1]
+  bool isCoarse = false;       ///< true for a coarse level or copy of a volume in its file
   /// A bound of the error of coarse voxels in an image that still takes finer ones.
   std::optional<double> refinedError = {};
   bool isRefined = false; ///< true for an image of coarse and fine voxels that needs no finer ones

@@ -108,6 +108,20 @@ public:
     return this->FindFurther();
   }
 
+  StepChoice FirstThatKeeps(const std::vector<double>& distances)
+  {
+    StepChoice tried = {};
+    for (const double distance : distances)
+    {
+      tried = this->Found(this->Try(this->InRange(distance))).choice;
+      if (tried.KeepsLimit())
+      {
+        break;
+      }
+    }
+    return tried;
+  }
+
 private:
   FoundSteps FindFurther()
   {
@@ -303,6 +317,12 @@ FoundSteps FindSampleDistanceFrom(double earlier, const SampleDrawing& draw,
   const ErrorLimit& limit, const StepRange& range, double first)
 {
   return Search(draw, limit, range, first, {}).FindFrom(earlier);
+}
+
+StepChoice FirstThatKeeps(const std::vector<double>& distances, const SampleDrawing& draw,
+  const ErrorLimit& limit, const StepRange& range, double first)
+{
+  return Search(draw, limit, range, first, {}).FirstThatKeeps(distances);
 }
 
 double DifferenceOfLimit(

@@ -71,6 +71,13 @@ FoundSteps FindSampleDistance(const SampleDrawing& draw, const ErrorLimit& limit
 FoundSteps FindSampleDistanceFrom(double earlier, const SampleDrawing& draw,
   const ErrorLimit& limit, const StepRange& range, double first);
 
+/// The first of some distances that keeps the limit; the last, if none does. It needs a drawing for
+/// each that is tried, and one more to compare them with.
+/// @param distances  at least one, descending
+/// @param first  that of a search: no distance is compared with a coarser one than a quarter of it
+StepChoice FirstThatKeeps(const std::vector<double>& distances, const SampleDrawing& draw,
+  const ErrorLimit& limit, const StepRange& range, double first);
+
 /// Difference between two images, as a fraction of the limit for the 99.9th percentile.
 double DifferenceOfLimit(
   const std::vector<float>& a, const std::vector<float>& b, const ErrorLimit& limit);

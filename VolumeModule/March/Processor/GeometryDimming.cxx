@@ -2,6 +2,7 @@
 
 #include "Core/Packets/PacketMarch.h"
 #include "Core/Quality/StepSearch.h"
+#include "Core/Quality/TrialRays.h"
 #include "Frame/FrameMeasures.h"
 #include "March/Processor/FactorsBetween.h"
 #include "March/Processor/GeometryLight.h"
@@ -70,12 +71,32 @@ ReceiverGrid GridOf(const MarchPlan& plan)
   return { plan.viewport, std::max(int(std::lround(side)), 1) };
 }
 
-// A grid of larger squares, about a thousand of which show receivers.
-ReceiverGrid TrialGridOf(const ReceivedLight& received)
+// Some of the receivers, as an image of their own: as many as a trial image has rays.
+ReceivedLight TrialOf(const ReceivedLight& received)
 {
-  constexpr double Places = 1024.0;
-  const double times = std::ceil(std::sqrt(double(received.receivers.size()) / Places));
-  return { received.grid.viewport, received.grid.side * std::max(int(times), 1) };
+  constexpr int Side = 64;
+  ReceivedLight trial;
+  trial.grid.viewport = { 0, 0, Side, Side };
+  for (const std::size_t index :
+    TrialIndices(received.receivers.size(), std::size_t(Side) * std::size_t(Side)))
+  {
+    trial.receivers.push_back(received.receivers[index]);
+    trial.receivers.back().pixel = trial.receivers.size() - 1;
+  }
+  return trial;
+}
+
+// The numbers of the receivers alone, one receiver after the other.
+std::vector<float> NumbersOf(
+  const std::vector<std::vector<float>>& parts, const ReceivedLight& trial)
+{
+  std::vector<float> numbers;
+  for (const std::vector<float>& ofPixels : parts)
+  {
+    numbers.insert(numbers.end(), ofPixels.begin(),
+      ofPixels.begin() + std::ptrdiff_t(4 * trial.receivers.size()));
+  }
+  return numbers;
 }
 
 // The pixels of a plan's viewport, counted from its corner.
@@ -178,7 +199,7 @@ std::vector<std::vector<float>> GeometryDimming::LightByShader(
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
   drawn.block = &this->resources.First().Blocks().Take(window, 0);
   drawn.voxels = { glm::ivec3(0), frame.geometry.dimensions };
-  drawn.coverGrid = CoverOf(frame, received);
+  drawn.coverGrid = CoverOfView(frame);
   EarlierDrawings earlier;
   earlier.marched = this->image.Texture();
   earlier.marchedPixels = pixels;
@@ -192,6 +213,7 @@ void GeometryDimming::Dim(const Frame& frame, const MarchPlan& plan)
   const Fingerprint inputs = InputsOf(frame, plan);
   if (inputs.IsEmpty() || inputs != this->keptFor)
   {
+    this->foundStep.reset();
     ReceivedLight received;
     if (frame.casters.shadowing == Shadowing::OneVolume)
     {
@@ -205,6 +227,7 @@ void GeometryDimming::Dim(const Frame& frame, const MarchPlan& plan)
 
 void GeometryDimming::TakeLight(const Frame& frame, const MarchPlan& plan, ReceivedLight& received)
 {
+  this->foundStep.reset();
   if (!this->MayDim(frame, plan))
   {
     return;
@@ -235,23 +258,18 @@ MarchPlan GeometryDimming::WithSteps(
   {
     return stepped;
   }
-  stepped.light = { 0.0, 0.0 }; // the steps of this search say nothing about lattices
-  ReceivedLight trial;
-  trial.grid = TrialGridOf(received);
-  trial.receivers = GeometryReceiversOf(frame, this->resources, trial.grid);
+  // Lattices of light would give all trials of this search the same error.
+  stepped.light = { 0.0, 0.0 };
+  const ReceivedLight trial = TrialOf(received);
   const auto drawAt = [&](double sampleDistanceMm)
   {
     stepped.sampleDistanceMm = sampleDistanceMm;
-    std::vector<float> all;
-    for (const std::vector<float>& parts : this->LightOn(frame, stepped, trial))
-    {
-      all.insert(all.end(), parts.begin(), parts.end());
-    }
-    return all;
+    return NumbersOf(this->LightOn(frame, stepped, trial), trial);
   };
   const double voxelMm = SmallestSpacingMm(frame);
   const FoundSteps found = FindSampleDistance(
     drawAt, plan.budget.StepLimit(), { CoarsestVoxels * voxelMm, FinestVoxels * voxelMm }, voxelMm);
+  this->foundStep = found.choice;
   stepped.sampleDistanceMm = found.choice.sampleDistance;
   return stepped;
 }

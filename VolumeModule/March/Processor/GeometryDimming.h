@@ -2,6 +2,7 @@
 #define Varimarch_March_Processor_GeometryDimming_h
 
 #include "Core/Packets/PacketScene.h"
+#include "Core/Quality/StepSearch.h"
 #include "March/Device/BoxDrawing.h"
 #include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketPicture.h"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace varimarch
@@ -54,6 +56,8 @@ public:
   /// How often the light on geometry was traced. Images of one volume that are accumulated
   /// share it.
   int Tracings() const { return this->tracings; }
+  /// The steps that were found for the light on geometry in the last image; none without any.
+  const std::optional<StepChoice>& FoundStep() const { return this->foundStep; }
   std::size_t Bytes() const
   {
     return this->image.Bytes() + this->light.Bytes() + this->added.Bytes() +
@@ -87,6 +91,7 @@ private:
   Box cover = {};                 ///< A box in the grid that covers all pixels with factors.
   std::vector<glm::vec4> factors; ///< The factors in the image, if there is translucent geometry.
   Fingerprint keptFor;            ///< All that the factors depend on; empty if they are not kept.
+  std::optional<StepChoice> foundStep;
   int tracings = 0;
 };
 
