@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr const char* npyMark = "\x93NUMPY";
-constexpr std::size_t markBytes = 6;
+constexpr std::size_t npyMarkBytes = 6;
 
 struct NpyHeader
 {
@@ -36,7 +36,7 @@ std::string HeaderText(const std::string& path, std::int64_t& headerBytes)
   unsigned char begin[12] = {};
   const std::size_t got = stream->Read(begin, 10);
   if (got < 10 ||
-    !std::equal(begin, begin + markBytes, reinterpret_cast<const unsigned char*>(npyMark)))
+    !std::equal(begin, begin + npyMarkBytes, reinterpret_cast<const unsigned char*>(npyMark)))
   {
     FailToRead(path, "a NumPy array", "a file without its mark");
   }
@@ -154,7 +154,7 @@ NpyGrid GridOf(const NpyHeader& header, const NpyAxes& axes)
 
 bool IsNpy(const std::string& head)
 {
-  return head.compare(0, markBytes, npyMark) == 0;
+  return head.compare(0, npyMarkBytes, npyMark) == 0;
 }
 
 Volume ReadNpy(const std::string& path, const ReadOptions& options, ReadProgress& progress)

@@ -130,6 +130,24 @@ void AppendSteps(const std::vector<Node>& nodes, std::vector<Step>& steps)
   }
 }
 
+// The values of nodes, ascending and without duplicates.
+std::vector<double> ValuesOf(
+  const std::vector<ColorNode>& colors, const std::vector<OpacityNode>& opacities)
+{
+  std::vector<double> values;
+  for (const ColorNode& node : colors)
+  {
+    values.push_back(node.value);
+  }
+  for (const OpacityNode& node : opacities)
+  {
+    values.push_back(node.value);
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
+}
+
 }
 
 bool AreSidesOfStep(double leftValue, double rightValue)
@@ -207,18 +225,7 @@ double TransferFunction::Extinction(double value) const
 
 std::vector<double> TransferFunction::NodeValues() const
 {
-  std::vector<double> values;
-  for (const ColorNode& node : this->colors)
-  {
-    values.push_back(node.value);
-  }
-  for (const OpacityNode& node : this->opacities)
-  {
-    values.push_back(node.value);
-  }
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  return values;
+  return ValuesOf(this->colors, this->opacities);
 }
 
 double TransferFunction::FirstValue() const
@@ -300,7 +307,9 @@ bool TransferFunction::IsPiecewiseLinear() const
 double TransferFunction::SmallestNodeGap() const
 {
   double smallest = std::numeric_limits<double>::infinity();
-  const std::vector<double> values = this->NodeValues();
+  // A single colour is that of all values: its node lies between no others.
+  const std::vector<double> values =
+    ValuesOf(this->colors.size() > 1 ? this->colors : std::vector<ColorNode>(), this->opacities);
   for (std::size_t i = 1; i < values.size(); ++i)
   {
     const bool areApart = !AreSidesOfStep(values[i - 1], values[i]);
