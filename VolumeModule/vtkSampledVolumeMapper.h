@@ -116,7 +116,9 @@ public:
    * searched for. This costs 10 to 20 % of a frame's time. It is an estimate, not
    * a proof: it may miss rays that just graze a hard surface, or a peak of opacity that is too
    * narrow for any sample. A tolerance that 128 samples per voxel cannot keep is reported as a
-   * warning.
+   * warning, and so is one that takes more than some seconds to search for because volumes dim
+   * light; GetErrorToleranceIsKept then returns false. An observer of vtkCommand::AbortCheckEvent
+   * of the window may stop the search, and an image of packets, at any time.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
   vtkGetMacro(ErrorTolerance, double);

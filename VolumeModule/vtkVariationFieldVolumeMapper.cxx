@@ -85,6 +85,9 @@ vtkVariationFieldVolumeMapper::vtkVariationFieldVolumeMapper()
   : Private(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(10); // as many as vtkGPUVolumeRayCastMapper has
+  const auto tell = [this](double part) { this->UpdateProgress(part); };
+  this->Private->Marcher.SetProgress(tell);
+  this->Private->Levels.Marcher().SetProgress(tell);
 }
 
 vtkVariationFieldVolumeMapper::~vtkVariationFieldVolumeMapper() = default;

@@ -20,6 +20,8 @@ struct VolumeFindings
   bool hasGaps = false;    ///< True if some cells have no value.
 };
 
+class MarchWork;
+
 /// The way to the light that shadows and ambient occlusion leave at a place.
 struct LightSource
 {
@@ -57,6 +59,8 @@ struct MarchPlan
   std::optional<Box> wholeData;
   std::vector<VolumeFindings> volumes; ///< One entry for the first volume and each of the others.
   std::vector<VolumeFindings> coarser; ///< One entry for each coarser level.
+
+  MarchWork* work = nullptr; ///< Counts the work of the march, and may end it; null: no count.
 
   // One drawing of the image, or of a part of it.
   RayPass pass = RayPass::Whole;

@@ -17,7 +17,11 @@ namespace
 std::string ExceededTolerance(double tolerance, const StepChoice& step, const char* where)
 {
   std::ostringstream text;
-  text << "The error tolerance " << tolerance << " cannot be kept" << where
+  text << "The error tolerance " << tolerance
+       << (step.isOfBoundedWork ? " is not reached" : " cannot be kept") << where
+       << (step.isOfBoundedWork
+              ? ", because the light of shorter steps takes too long; allow a larger error"
+              : "")
        << ": with a sample every " << step.sampleDistance;
   if (step.error > tolerance)
   {

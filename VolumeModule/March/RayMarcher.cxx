@@ -13,6 +13,7 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace varimarch
@@ -20,6 +21,9 @@ namespace varimarch
 
 namespace
 {
+
+// The part of the progress of a drawing that is the search for its steps.
+constexpr double PartOfSearch = 0.5;
 
 // The numbers that decide, apart from the look, whether the device can hold volumes that overlap.
 Fingerprint MemoryInputsOf(const Frame& frame)
@@ -238,6 +242,18 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
     this->shaders.ReleaseTrial(frame.view.window);
     return;
   }
+  this->Search(frame, plan);
+  this->foundStep = this->tolerance.Choice()->step;
+  plan.integration = this->tolerance.Choice()->integration;
+  plan.light = this->tolerance.Choice()->light;
+  // Shaders that count fetches may draw with steps that were found with packets.
+  plan.sampleDistanceMm = std::max(
+    this->tolerance.SampleDistanceInViewMm(), ShortestDistanceWithSkyMm(frame, plan.marcher));
+}
+
+// An observer may stop the search between two trial images, and within one that packets march.
+void RayMarcher::Search(const Frame& frame, const MarchPlan& plan)
+{
   const auto stopIfUnwanted = [&]
   {
     if (frame.view.window->CheckAbortStatus())
@@ -246,24 +262,49 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
     }
   };
   bool hasTried = false;
+  const VolumeMarch march = MarchOf(frame, plan);
+  const bool dimsLight = IsInWayOfLights(march.settings) || IsInWayOfSky(march.settings);
+  SearchWork work(dimsLight, this->QuestionOf(frame, 0.0, PartOfSearch));
+  MarchPlan trialPlan = plan;
+  trialPlan.work = &work.March();
   const auto drawTrials = [&](const std::vector<TrialImage>& images)
   {
     stopIfUnwanted();
     hasTried = true;
-    return this->DrawTrials(frame, plan, images);
+    work.Begin(images.front());
+    std::vector<std::vector<float>> drawn = this->DrawTrials(frame, trialPlan, images);
+    work.End(images.front(), drawn.front());
+    return drawn;
   };
-  this->tolerance.Update(MarchOf(frame, plan), this->resources.First(),
-    this->ToleranceInputsOf(frame, plan), drawTrials);
+  const ToleranceInputs inputs = this->ToleranceInputsOf(frame, plan);
+  try
+  {
+    this->tolerance.Update(march, this->resources.First(), inputs, drawTrials);
+  }
+  catch (const WorkUsedUp&)
+  {
+    this->tolerance.Take(inputs, work.Unfinished(FactsOf(march, this->resources.First())));
+  }
   if (hasTried)
   {
     stopIfUnwanted();
   }
-  this->foundStep = this->tolerance.Choice()->step;
-  plan.integration = this->tolerance.Choice()->integration;
-  plan.light = this->tolerance.Choice()->light;
-  // Shaders that count fetches may draw with steps that were found with packets.
-  plan.sampleDistanceMm =
-    std::max(this->foundStep->sampleDistance, ShortestDistanceWithSkyMm(frame, plan.marcher));
+}
+
+MarchWork::Question RayMarcher::QuestionOf(const Frame& frame, double from, double to) const
+{
+  vtkOpenGLRenderWindow* const drawnWindow = frame.view.window;
+  return [this, drawnWindow, from, to, told = from](double part) mutable
+  {
+    told = std::max(told, from + part * (to - from)); // each trial image of a search begins anew
+    this->tellProgress(told);
+    const bool isWanted = drawnWindow->CheckAbortStatus() == 0;
+    if (!drawnWindow->IsCurrent())
+    {
+      drawnWindow->MakeCurrent(); // an observer has drawn elsewhere
+    }
+    return isWanted;
+  };
 }
 
 ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const
@@ -277,8 +318,11 @@ ToleranceInputs RayMarcher::ToleranceInputsOf(const Frame& frame, const MarchPla
   return inputs;
 }
 
-void RayMarcher::DrawImage(const Frame& frame, const MarchPlan& plan)
+void RayMarcher::DrawImage(const Frame& frame, MarchPlan plan)
 {
+  MarchWork work(
+    std::numeric_limits<double>::infinity(), this->QuestionOf(frame, PartOfSearch, 1.0));
+  plan.work = &work;
   vtkOpenGLRenderWindow* const drawnWindow = frame.view.window;
   FrameMarcher& marcher = this->MarcherOf(plan);
   const Viewport rays = RaysOf(plan.viewport, plan.imageSampleDistance);

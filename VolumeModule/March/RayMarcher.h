@@ -11,14 +11,17 @@
 #include "March/Processor/GeometryDimming.h"
 #include "March/Processor/PacketMarcher.h"
 #include "March/ResampledMarch.h"
+#include "March/SearchWork.h"
 #include "March/ToleranceSearch.h"
 #include "Resources/SceneResources.h"
 
 #include "vtkWeakPointer.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -60,6 +63,9 @@ public:
     const Frame& frame, const MarchPlan& plan, const std::vector<TrialImage>& images);
   /// Sets the steps of images that are not interactive; none: those of a search.
   void SetCommonSteps(const std::optional<CommonSteps>& steps) { this->commonSteps = steps; }
+
+  /// Sets a function that is told how much of a drawing is done, [0, 1].
+  void SetProgress(std::function<void(double)> tell) { this->tellProgress = std::move(tell); }
 
   /// The pixels of the images of colours and depths that were drawn last; empty if there are none.
   const Viewport& ImagePixels() const { return this->passes.ImagePixels(); }
@@ -137,9 +143,13 @@ private:
   /// Searches the steps of an image, or takes those that were set.
   void TakeSteps(const Frame& frame, MarchPlan& plan);
   void SearchSteps(const Frame& frame, MarchPlan& plan);
+  void Search(const Frame& frame, const MarchPlan& plan);
   void TakeCommonSteps(const Frame& frame, MarchPlan& plan);
   ToleranceInputs ToleranceInputsOf(const Frame& frame, const MarchPlan& plan) const;
-  void DrawImage(const Frame& frame, const MarchPlan& plan);
+  /// The question whether a drawing is wanted any more, which tells its progress too.
+  /// @param from  and to: the part of the drawing that is about to begin, [0, 1]
+  MarchWork::Question QuestionOf(const Frame& frame, double from, double to) const;
+  void DrawImage(const Frame& frame, MarchPlan plan);
   FrameMarcher& MarcherOf(const MarchPlan& plan);
   MemoryElsewhere MemoryOfImages() const;
 
@@ -157,6 +167,7 @@ private:
   ResampledMarch resampled{ resources, boxes };
   ImageAccumulator accumulator{ resources, boxes, resampled };
   PassMarch passes{ resources };
+  std::function<void(double)> tellProgress = [](double) {};
   Fingerprint tooLargeBy; ///< Inputs of memory that is too small for the volumes.
   double usedSampleDistanceMm = 0.0;
   double wantedSampleDistanceMm = 0.0;

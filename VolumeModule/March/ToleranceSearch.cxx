@@ -108,6 +108,16 @@ void ToleranceSearch::Update(const VolumeMarch& march, const VolumeResources& vo
   this->choice = std::move(made);
 }
 
+void ToleranceSearch::Take(const ToleranceInputs& inputs, ToleranceChoice made)
+{
+  made.inputs = inputs;
+  made.searchedMm = made.step.sampleDistance;
+  made.searchedView = inputs.view;
+  this->Remember();
+  this->choice = std::move(made);
+  ++this->searches;
+}
+
 const std::vector<float>& ToleranceSearch::Trial::Draw(
   Integration integration, double sampleDistanceMm)
 {

@@ -39,6 +39,8 @@ public:
   void Update(const VolumeMarch& march, const VolumeResources& volume,
     const ToleranceInputs& inputs, const TrialDrawing& draw);
   void Forget();
+  /// Takes the steps of a search that did not end.
+  void Take(const ToleranceInputs& inputs, ToleranceChoice made);
   /// The steps of a volume of which nothing but these facts and its trial images is known, without
   /// those of earlier images. The choice has no inputs.
   static ToleranceChoice ChooseAnew(const SearchFacts& facts, const TrialDrawing& draw);

@@ -2,6 +2,7 @@
 
 #include "Core/Blocks/ReadingGate.h"
 #include "Core/Packets/PacketTile.h"
+#include "Core/Quality/MarchWork.h"
 
 #include <glm/vec2.hpp>
 #include <tbb/parallel_for.h>
@@ -75,13 +76,18 @@ InstructionSet FastestSet()
 // Tiles are counted from the image's first pixel: a pixel is then always in the same packet,
 // whatever part of the image is marched. Cores take them in turn, so that they read voxels that lie
 // together, and wait between two packets while too many voxels are in memory.
-void ForEachPacket(const Viewport& pixels, const glm::ivec2& size,
+void ForEachPacket(const Viewport& pixels, const glm::ivec2& size, MarchWork* work,
   const std::function<void(const Viewport& packet)>& march)
 {
   const glm::ivec2 begin(pixels.left, pixels.bottom);
   const glm::ivec2 first = begin / size;
   const glm::ivec2 count =
     (begin + glm::ivec2(pixels.width, pixels.height) + size - 1) / size - first;
+  if (work)
+  {
+    const glm::ivec2 packetsOfTile = size / PacketSize;
+    work->Begin(count.x * count.y * packetsOfTile.x * packetsOfTile.y);
+  }
   std::atomic<int> next = 0;
   tbb::parallel_for(0, count.x * count.y,
     [&](int)
@@ -92,8 +98,16 @@ void ForEachPacket(const Viewport& pixels, const glm::ivec2& size,
       {
         for (int x = at.x; x < at.x + size.x; x += PacketSize.x)
         {
+          if (work && work->IsStopped())
+          {
+            return;
+          }
           ReadingGate::OfProcess().Pass();
           march({ x, y, PacketSize.x, PacketSize.y });
+          if (work)
+          {
+            work->EndPacket();
+          }
         }
       }
     });
@@ -112,16 +126,17 @@ std::vector<InstructionSet> InstructionSetsOfProcessor()
   return { InstructionSet::Baseline };
 }
 
-void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba, InstructionSet set)
+void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba, InstructionSet set,
+  MarchWork* work)
 {
   TileMarch* const march = TileMarchOf(scene, set);
   ForEachPacket(
-    pixels, TileSize, [&](const Viewport& packet) { march(scene, pixels, packet, rgba); });
+    pixels, TileSize, work, [&](const Viewport& packet) { march(scene, pixels, packet, rgba); });
 }
 
-void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba)
+void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba, MarchWork* work)
 {
-  MarchPackets(scene, pixels, rgba, FastestSet());
+  MarchPackets(scene, pixels, rgba, FastestSet(), work);
 }
 
 }

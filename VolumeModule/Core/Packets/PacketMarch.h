@@ -8,6 +8,8 @@
 namespace varimarch
 {
 
+class MarchWork;
+
 /// The sets of instructions that packets are compiled for.
 enum class InstructionSet
 {
@@ -26,11 +28,13 @@ std::vector<InstructionSet> InstructionSetsOfProcessor();
 /// @param rgba    premultiplied, of these pixels, the lowest row first; 4 * width * height. Places
 ///                instead of colours, if the scene asks for these
 /// @param set     one that this processor has
-void MarchPackets(
-  const PacketScene& scene, const Viewport& pixels, float* rgba, InstructionSet set);
+/// @param work    may end the march before all pixels are there; null: nothing does
+void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba, InstructionSet set,
+  MarchWork* work = nullptr);
 
 /// With the fastest set of instructions that this processor has.
-void MarchPackets(const PacketScene& scene, const Viewport& pixels, float* rgba);
+void MarchPackets(
+  const PacketScene& scene, const Viewport& pixels, float* rgba, MarchWork* work = nullptr);
 
 }
 

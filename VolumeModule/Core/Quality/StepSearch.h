@@ -19,7 +19,8 @@ struct StepChoice
 {
   double sampleDistance;
   double error;   ///< estimated 99.9th percentile of the channel errors, in [0, 1]
-  double ofLimit; ///< error / limit; above 1 only if the finest distance does not keep the limit
+  double ofLimit; ///< error / limit; above 1 only if no distance that was tried keeps the limit
+  bool isOfBoundedWork = false; ///< true if finer distances were left out, as they take too long
 
   bool KeepsLimit() const { return this->ofLimit <= 1.0; }
 };

@@ -2,7 +2,9 @@
 
 #include "Core/Geometry/ProjectedBox.h"
 #include "Core/Packets/PacketMarch.h"
+#include "Core/Quality/MarchWork.h"
 #include "Core/Quality/TrialRays.h"
+#include "March/DrawingStopped.h"
 #include "March/Processor/PacketScenes.h"
 #include "VtkVersions.h"
 
@@ -121,16 +123,25 @@ struct PacketImage
 
 // Marches the rays of trial images, each packet through all images before the next: voxels that do
 // not fit in memory are read for all images at once.
-void MarchBlocks(
-  const std::vector<PacketImage>& images, const Viewport& pixels, const glm::ivec2& imagePixels)
+// @param work  see MarchPackets
+void MarchBlocks(const std::vector<PacketImage>& images, const Viewport& pixels,
+  const glm::ivec2& imagePixels, MarchWork* work)
 {
   const glm::ivec2 rays(pixels.width, pixels.height);
   const glm::ivec2 size(PacketWidth, PacketHeight);
   const glm::ivec2 count = (rays + size - 1) / size;
+  if (work)
+  {
+    work->Begin(count.x * count.y);
+  }
   std::atomic<int> next = 0;
   tbb::parallel_for(0, count.x * count.y,
     [&](int)
     {
+      if (work && work->IsStopped())
+      {
+        return;
+      }
       const int i = next++; // in turn, so that cores read voxels that lie together
       const glm::ivec2 corner = glm::ivec2(i % count.x, i / count.x) * size;
       const glm::ivec2 inside = glm::min(size, rays - corner);
@@ -145,7 +156,19 @@ void MarchBlocks(
             image.rgba + 4 * (std::ptrdiff_t(corner.y + row) * rays.x + corner.x));
         }
       }
+      if (work)
+      {
+        work->EndPacket();
+      }
     });
+}
+
+void StopIfUnwanted(const MarchPlan& plan)
+{
+  if (plan.work && plan.work->IsUnwanted())
+  {
+    throw DrawingStopped();
+  }
 }
 
 using glm::clamp;
@@ -183,8 +206,9 @@ void PacketMarcher::Draw(const Frame& frame, const MarchPlan& plan)
   const VolumeMarch march = MarchOf(frame, plan);
   const PacketScenes scenes(march, this->resources, this->SurroundingsOf(frame, plan), pixels);
   this->image.March(
-    frame.view.window, PartsOf(scenes.Scene(), march, scenes.LayerDepths()), pixels);
+    frame.view.window, PartsOf(scenes.Scene(), march, scenes.LayerDepths()), pixels, plan.work);
 
+  StopIfUnwanted(plan);
   EarlierDrawings earlier;
   earlier.marched = this->image.Texture();
   earlier.marchedPixels = this->image.Pixels();
@@ -209,7 +233,8 @@ std::vector<std::vector<float>> PacketMarcher::DrawTrials(
       MarchOf(frame, plans[i]), this->resources, this->SurroundingsOf(frame, plans[i]), pixels);
     images.push_back({ &scenes.back().Scene(), drawn[i].data() });
   }
-  MarchBlocks(images, pixels, plans.front().ImagePixels());
+  MarchBlocks(images, pixels, plans.front().ImagePixels(), plans.front().work);
+  StopIfUnwanted(plans.front());
   for (std::vector<float>& rgba : drawn)
   {
     if (frame.settings.windowLevel)

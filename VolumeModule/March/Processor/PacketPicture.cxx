@@ -26,8 +26,8 @@ constexpr std::size_t BytesPerPixel = 4 * sizeof(float);
 
 }
 
-void PacketPicture::March(
-  vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes, const Viewport& newPixels)
+void PacketPicture::March(vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes,
+  const Viewport& newPixels, MarchWork* work)
 {
   this->pixels = newPixels;
   const std::size_t countOfPicture = std::size_t(this->pixels.width) * this->pixels.height;
@@ -36,7 +36,7 @@ void PacketPicture::March(
     {
       for (const PacketScene& scene : scenes)
       {
-        MarchPackets(scene, this->pixels, rgba);
+        MarchPackets(scene, this->pixels, rgba, work);
         rgba += 4 * countOfPicture;
       }
     });

@@ -18,6 +18,8 @@ class vtkOpenGLRenderWindow;
 namespace varimarch
 {
 
+class MarchWork;
+
 /// Images that the processor marches, in a buffer texture. If OpenGL is software, packets write
 /// directly into the texture's memory, so that no pixel is copied.
 class PacketPicture
@@ -26,8 +28,9 @@ public:
   /// @param scenes     one for each image
   /// @param newPixels  the part of the images that is marched
   /// @throws std::runtime_error if memory does not suffice
+  /// @param work       see MarchPackets
   void March(vtkOpenGLRenderWindow* window, const std::vector<PacketScene>& scenes,
-    const Viewport& newPixels);
+    const Viewport& newPixels, MarchWork* work);
 
   /// Takes an image that was computed in another way.
   void Take(
