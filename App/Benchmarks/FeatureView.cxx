@@ -29,7 +29,7 @@ FeatureView::FeatureView(
   this->mapper->SetInputDataObject(this->image);
   this->volume->SetUserTransform(worldFromImage);
   this->volume->SetMapper(this->mapper);
-  ApplyLook(InUnitsOfData(scene.look, image), MeanSpacingMm(image), this->volume->GetProperty());
+  ApplyLook(InUnitsOfData(scene.look, image), image, this->volume->GetProperty());
   this->volume->GetProperty()->SetInterpolationTypeToLinear(); // the nearest voxel is VTK's default
   this->renderer->AddVolume(this->volume);
   PlaceCamera(scene.camera, image->GetBounds(), double(scene.size[0]) / scene.size[1],

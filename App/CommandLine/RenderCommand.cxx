@@ -163,6 +163,26 @@ void TellOfLevel(vtkVariationFieldVolumeMapper* ours, double seconds)
   }
 }
 
+// Says which lengths stand for relative ones, and warns of an image without anything in it.
+void TellOfLook(const Scene& scene, OffscreenView& view)
+{
+  const double drawnMm = view.Pipeline().DrawnLook().opacityUnitDistanceMm;
+  if (drawnMm != scene.look.opacityUnitDistanceMm)
+  {
+    std::ostringstream text;
+    text
+      << "the volume is not known to show a patient, so the lengths of the look follow its size: "
+         "opacities hold over "
+      << drawnMm << " mm";
+    PrintMessage(text.str());
+  }
+  const std::string reason = view.ReasonForNothing(scene);
+  if (!reason.empty())
+  {
+    PrintMessage("warning: nothing is visible: " + reason);
+  }
+}
+
 }
 
 void RunRender(const RenderArguments& arguments)
@@ -179,6 +199,7 @@ void RunRender(const RenderArguments& arguments)
   view.Pipeline().SetOverlays(scene.overlays, overlays);
   auto* const ours = LimitedMapper(view, arguments.graphicsMegabytes);
   const double seconds = view.RenderAll([&](double now) { TellOfLevel(ours, now); });
+  TellOfLook(scene, view);
   std::vector<double> repeatSeconds;
   for (int i = 0; i < arguments.repeats; ++i)
   {
@@ -190,6 +211,7 @@ void RunRender(const RenderArguments& arguments)
 
   nlohmann::ordered_json results = ResultsOf(arguments.commandText, volume);
   results["look"] = scene.look.name;
+  results["opacityUnitDistanceMm"] = view.Pipeline().DrawnLook().opacityUnitDistanceMm;
   results["size"] = scene.size;
   results["renderer"] = NameOf(MapperKindNames(), arguments.renderer);
   results["sampleDistanceMm"] = view.Pipeline().UsedSampleDistanceMm();

@@ -176,7 +176,7 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
   source.rectified = RectifiedBy(arguments);
   source.memoryMegabytes = arguments.memoryMegabytes;
   source.level = arguments.level;
-  source.channel = arguments.channel.value_or(0);
+  source.channel = arguments.channel;
   source.filesAreTimes = arguments.filesAreTimes;
   TakeTime(arguments.time, source);
   if (HasRawLayout(arguments))
@@ -210,7 +210,7 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
     const double memory = arguments.memoryMegabytes;
     file->memoryMegabytes = memory > 0.0 ? memory : file->memoryMegabytes;
     file->level = arguments.level ? arguments.level : file->level;
-    file->channel = arguments.channel.value_or(file->channel);
+    file->channel = arguments.channel ? arguments.channel : file->channel;
     file->filesAreTimes = file->filesAreTimes || arguments.filesAreTimes;
     TakeTime(arguments.time, *file);
     return source;

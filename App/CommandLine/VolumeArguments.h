@@ -21,7 +21,7 @@ struct VolumeArguments
   bool asScanned = false;     ///< true to keep them
   std::string series;         ///< DICOM series to read; empty: the first
   std::optional<int> level;   ///< level of a file with several; empty: the finest that fits
-  std::optional<int> channel; ///< channel of such a file; empty: the first
+  std::optional<int> channel; ///< channel of such a file; empty: as in FileSource
   std::string time;           ///< number or seconds of the time to read; empty: the first
   bool filesAreTimes = false; ///< true if the files of a folder, or of one name, are times
   double memoryMegabytes = 0.0; ///< memory that the program may use [MB]; 0: the machine's

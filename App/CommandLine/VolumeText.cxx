@@ -1,5 +1,6 @@
 #include "VolumeText.h"
 
+#include "Readers/ImageFacts.h"
 #include "Results.h"
 #include "Scene/AnatomicalDirection.h"
 
@@ -59,6 +60,29 @@ std::string SlicesText(SliceLayout slices)
   }
 }
 
+// Such as "2 channels: DAPI, GFP".
+std::string ComponentsText(vtkImageData* image)
+{
+  const std::string count = std::to_string(image->GetNumberOfScalarComponents());
+  if (HoldsColors(image))
+  {
+    return count + ", a colour";
+  }
+  std::string names;
+  for (const VolumeChannel& channel : ChannelsIn(image))
+  {
+    names += (names.empty() ? "" : ", ") + channel.name;
+  }
+  return count + " channels: " + names;
+}
+
+std::string LengthsText(double factor)
+{
+  return factor == 1.0 ? "those of presets, which suit a patient"
+                       : "those of presets times " + Short(factor) +
+      ", since the volume is not known to show a patient";
+}
+
 // A text such as "20, from 0 s to 38 s; this is time 3 (6 s)".
 std::string TimesText(const LoadedTimes& times)
 {
@@ -112,6 +136,8 @@ std::string VolumeText(
        << "dimensions   " << dimensions[0] << " x " << dimensions[1] << " x " << dimensions[2]
        << "\n"
        << "type         " << image->GetScalarTypeAsString() << "\n"
+       << (image->GetNumberOfScalarComponents() > 1 ? "components   " + ComponentsText(image) + "\n"
+                                                    : "")
        << "spacing      " << Triple(spacing, " x ") << " mm\n"
        << "size         " << Triple(size, " x ") << " mm\n"
        << "origin       " << Triple(image->GetOrigin(), ", ") << " mm (LPS)\n"
@@ -121,6 +147,7 @@ std::string VolumeText(
        << (volume.times.AreSeveral() ? "times        " + TimesText(volume.times) + "\n" : "")
        << "memory       " << Fixed(Bytes(image) / BytesPerMiB, 1) << " MiB"
        << (volume.isOnDisk ? ", drawn from the file" : "") << "\n"
+       << "lengths      " << LengthsText(statistics.LengthFactor()) << "\n"
        << "range        " << Short(statistics.Smallest()) << " to " << Short(statistics.Largest())
        << "\n"
        << "percentiles ";
@@ -152,6 +179,7 @@ nlohmann::ordered_json VolumeJson(
   }
   json["bytes"] = std::int64_t(Bytes(image));
   json["fromDisk"] = volume.isOnDisk;
+  json["lengthFactor"] = statistics.LengthFactor();
   json["range"] = { statistics.Smallest(), statistics.Largest() };
   for (const double percent : Percents)
   {

@@ -193,7 +193,13 @@ std::optional<Overlays> OverlaysOf(PyObject* sequence)
   return overlays;
 }
 
-vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, vtkImageData* volume,
+struct Rendered
+{
+  vtkSmartPointer<vtkImageData> picture;
+  std::string warning; ///< empty if the picture shows something
+};
+
+Rendered RenderScene(const Scene& scene, vtkImageData* volume,
   const std::shared_ptr<const LabelMap>& labels, const Overlays& overlays, VtkMessages& messages)
 {
   const ReleasedInterpreter released;
@@ -204,7 +210,8 @@ vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, vtkImageData* volu
   messages.Take(view.Pipeline().Renderer());
   messages.Take(view.Pipeline().Renderer()->GetRenderWindow());
   view.RenderAll();
-  return view.Bytes();
+  const std::string reason = view.ReasonForNothing(scene);
+  return { view.Bytes(), reason.empty() ? "" : "Nothing is visible: " + reason + "." };
 }
 
 Scene SceneFromArgument(const char* text)
@@ -254,7 +261,8 @@ PyObject* Render(PyObject*, PyObject* arguments)
     {
       VtkMessages messages;
       const auto labels = LabelsOver(volume, given);
-      const auto image = RenderScene(SceneFromArgument(text), volume, labels, *overlays, messages);
+      const auto [picture, warning] =
+        RenderScene(SceneFromArgument(text), volume, labels, *overlays, messages);
       if (!Warn(messages.Warnings()) || (labels && !Warn(labels->warnings)))
       {
         return nullptr;
@@ -263,7 +271,11 @@ PyObject* Render(PyObject*, PyObject* arguments)
       {
         throw std::runtime_error(messages.Errors().front());
       }
-      return vtkPythonUtil::GetObjectFromPointer(image);
+      if (!warning.empty() && !Warn({ warning }))
+      {
+        return nullptr;
+      }
+      return vtkPythonUtil::GetObjectFromPointer(picture);
     });
 }
 

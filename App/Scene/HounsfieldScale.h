@@ -9,6 +9,10 @@ namespace varimarch
 
 class ImageStatistics;
 
+/// Air is lighter than this, also where noise is added to it. Hardly any other volume has such
+/// values.
+constexpr double HighestAirHu = -900.0;
+
 /// The values that stand for Hounsfield units in a CT whose values are others, such as those of an
 /// image of 8 bits. It is an estimate from the histogram, for looks; measurements do not use it.
 class HounsfieldScale

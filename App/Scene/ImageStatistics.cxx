@@ -1,6 +1,9 @@
 #include "Scene/ImageStatistics.h"
 
 #include "Frame/VoxelsOnDisk.h"
+#include "Readers/ImageFacts.h"
+#include "Scene/LengthScale.h"
+#include "Scene/VolumeColors.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
@@ -28,7 +31,8 @@ using Counts = std::vector<std::int64_t>;
 constexpr double MostBins = 65536.0;
 
 // vtkImageHistogram is no alternative: it writes outside its bins if a whole slab is infinite.
-Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_t bins)
+Counts Count(
+  vtkDataArray* scalars, int component, double smallest, double binSpacing, std::size_t bins)
 {
   tbb::combinable<Counts> countsOfThreads([bins] { return Counts(bins, 0); });
   const auto countArray = [&](auto* array)
@@ -40,13 +44,12 @@ Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_
         Counts& counts = countsOfThreads.local();
         for (vtkIdType i = range.begin(); i != range.end(); ++i)
         {
-          const double bin = (double(tuples[i][0]) - smallest) / binSpacing + 0.5;
+          const double bin = (double(tuples[i][component]) - smallest) / binSpacing + 0.5;
           // The comparison is false for NaN, which therefore falls into the first bin.
           ++counts[bin > 0.0 ? std::size_t(std::min(bin, double(bins - 1))) : 0];
         }
       });
   };
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!vtkArrayDispatch::Dispatch::Execute(scalars, countArray))
   {
     countArray(scalars);
@@ -60,8 +63,21 @@ Counts Count(vtkImageData* image, double smallest, double binSpacing, std::size_
 }
 
 ImageStatistics::ImageStatistics(vtkImageData* image)
+  : ImageStatistics(
+      ColoredVoxels(image), HoldsColors(image) ? AlphaComponent : 0) // alive until it is counted
 {
-  ValueCounts onDisk = CountsOnDisk(image->GetPointData()->GetScalars());
+  this->channels = ChannelsIn(image);
+  for (std::size_t i = 1; i < this->channels.size(); ++i)
+  {
+    this->further.push_back(ImageStatistics(image, int(i)));
+  }
+  this->lengthFactor = varimarch::LengthFactor(image, this->smallest);
+}
+
+ImageStatistics::ImageStatistics(vtkImageData* image, int component)
+{
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  ValueCounts onDisk = CountsOnDisk(scalars);
   if (!onDisk.counts.empty())
   {
     this->smallest = onDisk.smallest;
@@ -71,7 +87,7 @@ ImageStatistics::ImageStatistics(vtkImageData* image)
     return;
   }
   double range[2];
-  image->GetPointData()->GetScalars()->GetFiniteRange(range, 0);
+  scalars->GetFiniteRange(range, component);
   this->smallest = range[0];
   this->largest = range[1];
 
@@ -82,7 +98,7 @@ ImageStatistics::ImageStatistics(vtkImageData* image)
   const double bins = oneByOne ? width + 1.0 : width > 0.0 ? MostBins : 1.0;
   this->binSpacing = bins > 1.0 ? width / (bins - 1.0) : 1.0;
 
-  this->counts = Count(image, this->smallest, this->binSpacing, std::size_t(bins));
+  this->counts = Count(scalars, component, this->smallest, this->binSpacing, std::size_t(bins));
 }
 
 void ImageStatistics::Add(const ImageStatistics& other)

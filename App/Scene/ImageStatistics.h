@@ -1,6 +1,8 @@
 #ifndef Varimarch_Scene_ImageStatistics_h
 #define Varimarch_Scene_ImageStatistics_h
 
+#include "Readers/VolumeFile.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -9,14 +11,27 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Distribution of the values of a volume.
+/// Distribution of the values of a volume, with what else a look has to know about it.
 class ImageStatistics
 {
 public:
-  /// Counts the values of the first component. Integers within a range of 65536 are counted one by
-  /// one, other numbers in 65536 equal bins over their finite range. Infinite values count as the
-  /// smallest or largest finite one, NaN as the smallest.
+  /// Counts the values of the first component, or the alpha of colours, see ColoredVoxels. Integers
+  /// within a range of 65536 are counted one by one, other numbers in 65536 equal bins over their
+  /// finite range. Infinite values count as the smallest or largest finite one, NaN as the
+  /// smallest.
   explicit ImageStatistics(vtkImageData* image);
+
+  /// The factor of relative lengths, see LengthScale.h.
+  double LengthFactor() const { return this->lengthFactor; }
+
+  /// The independent components; empty for a single one and for colours.
+  const std::vector<VolumeChannel>& Channels() const { return this->channels; }
+
+  /// The statistics of a component.
+  const ImageStatistics& OfChannel(std::size_t channel) const
+  {
+    return channel == 0 ? *this : this->further[channel - 1];
+  }
 
   /// Adds the counts of another volume, such as another time of it. Unless both are of integers
   /// within 65536 of each other, counts move to the nearest of 65536 bins.
@@ -38,12 +53,16 @@ public:
   std::vector<std::int64_t> Histogram(int bins) const;
 
 private:
+  ImageStatistics(vtkImageData* image, int component);
   double ValueOfBin(std::size_t bin) const;
 
   double smallest;
   double largest;
   double binSpacing;
   std::vector<std::int64_t> counts;
+  double lengthFactor = 1.0;
+  std::vector<VolumeChannel> channels;
+  std::vector<ImageStatistics> further; ///< statistics of the components after the first
 };
 
 }

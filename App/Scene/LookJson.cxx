@@ -1,4 +1,5 @@
 #include "Scene/LookJson.h"
+#include "Scene/ChannelsJson.h"
 #include "Scene/LightsJson.h"
 #include "Scene/LookFormats/LookContext.h"
 #include "Scene/Presets.h"
@@ -154,6 +155,35 @@ nlohmann::ordered_json JsonFromOpacities(const std::vector<OpacityNode>& nodes)
   return json;
 }
 
+// Adds the curves and what belongs to them.
+void AddCurves(const Look& look, nlohmann::ordered_json& json)
+{
+  json["domain"] = NameOf(DomainNames(), look.domain);
+  for (const ColorNode& node : look.colors)
+  {
+    json["colors"].push_back(JsonWithShape(
+      { { "value", node.value }, { "rgb", { node.rgb.r, node.rgb.g, node.rgb.b } } }, node.shape));
+  }
+  json["opacities"] = JsonFromOpacities(look.opacities);
+  if (look.lengths != Lengths::Millimetres)
+  {
+    json["lengths"] = NameOf(LengthsNames(), look.lengths);
+  }
+  json["opacityUnitDistance"] = look.opacityUnitDistanceMm;
+  if (!look.gradientOpacities.empty())
+  {
+    json["gradientOpacities"] = JsonFromOpacities(look.gradientOpacities);
+  }
+  if (!look.channels.empty())
+  {
+    json["channels"] = JsonFromChannels(look.channels);
+  }
+  if (!look.regions.empty())
+  {
+    json["regions"] = JsonFromRegions(look.regions);
+  }
+}
+
 Look LookFromJson(const JsonCursor& json)
 {
   Look look;
@@ -164,6 +194,10 @@ Look LookFromJson(const JsonCursor& json)
   }
   look.colors = NodesFromJson(json.At("colors"), ColorNodeFromJson);
   look.opacities = NodesFromJson(json.At("opacities"), OpacityNodeFromJson);
+  if (const auto lengths = json.Find("lengths"))
+  {
+    look.lengths = lengths->Choice(LengthsNames());
+  }
   if (const auto distance = json.Find("opacityUnitDistance"))
   {
     look.opacityUnitDistanceMm = distance->Number(Positive);
@@ -175,6 +209,10 @@ Look LookFromJson(const JsonCursor& json)
   if (const auto shading = json.Find("shading"))
   {
     look.shading = ShadingFromJson(*shading);
+  }
+  if (const auto channels = json.Find("channels"))
+  {
+    look.channels = ChannelsFromJson(*channels);
   }
   if (const auto regions = json.Find("regions"))
   {
@@ -201,9 +239,9 @@ Preset PresetFromJson(const JsonCursor& json)
     }
     return BuiltInPreset(name);
   }
-  json.RequireObject({ "name", "description", "domain", "colors", "opacities",
-    "opacityUnitDistance", "gradientOpacities", "regions", "shading", "damping", "blend",
-    "isosurfaces", "averagedRange", "errorTolerance", "background", "light" });
+  json.RequireObject({ "name", "description", "domain", "colors", "opacities", "lengths",
+    "opacityUnitDistance", "channels", "gradientOpacities", "regions", "shading", "damping",
+    "blend", "isosurfaces", "averagedRange", "errorTolerance", "background", "light" });
   Preset preset = { LookFromJson(json) };
   if (const auto tolerance = json.Find("errorTolerance"))
   {
@@ -226,22 +264,7 @@ nlohmann::ordered_json JsonFromLook(const Look& look)
   nlohmann::ordered_json json;
   json["name"] = look.name;
   json["description"] = look.description;
-  json["domain"] = NameOf(DomainNames(), look.domain);
-  for (const ColorNode& node : look.colors)
-  {
-    json["colors"].push_back(JsonWithShape(
-      { { "value", node.value }, { "rgb", { node.rgb.r, node.rgb.g, node.rgb.b } } }, node.shape));
-  }
-  json["opacities"] = JsonFromOpacities(look.opacities);
-  json["opacityUnitDistance"] = look.opacityUnitDistanceMm;
-  if (!look.gradientOpacities.empty())
-  {
-    json["gradientOpacities"] = JsonFromOpacities(look.gradientOpacities);
-  }
-  if (!look.regions.empty())
-  {
-    json["regions"] = JsonFromRegions(look.regions);
-  }
+  AddCurves(look, json);
   json["shading"] = { { "enabled", look.shading.enabled }, { "ambient", look.shading.ambient },
     { "diffuse", look.shading.diffuse }, { "specular", look.shading.specular },
     { "specularPower", look.shading.specularPower } };

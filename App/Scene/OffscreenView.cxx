@@ -1,5 +1,6 @@
 #include "Scene/OffscreenView.h"
 
+#include "Scene/EmptyPicture.h"
 #include "Scene/FloatCapture.h"
 #include "Scene/StopCheck.h"
 
@@ -68,6 +69,11 @@ vtkSmartPointer<vtkImageData> OffscreenView::Bytes()
   reader->ShouldRerenderOff();
   reader->Update();
   return reader->GetOutput();
+}
+
+std::string OffscreenView::ReasonForNothing(const Scene& scene)
+{
+  return varimarch::ReasonForNothing(BytesOf(this->window), this->pipeline, scene);
 }
 
 // Each image takes more voxels in place of the coarse level, so that bands of the first ones would

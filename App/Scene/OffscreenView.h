@@ -46,6 +46,10 @@ public:
   /// The last rendered frame over its background, as a byte image.
   vtkSmartPointer<vtkImageData> Bytes();
 
+  /// The reason why the last frame shows nothing but its background, and what helps, in one
+  /// sentence; empty if it shows something, see EmptyPicture.h.
+  std::string ReasonForNothing(const Scene& scene);
+
   /// Renders again into a float image; see CaptureFloatImage. A refined level is rendered as
   /// by RenderAll before.
   vtkSmartPointer<vtkImageData> FloatImage(const std::function<bool(double)>& onBand = nullptr);

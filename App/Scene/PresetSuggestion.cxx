@@ -1,5 +1,6 @@
 #include "Scene/PresetSuggestion.h"
 
+#include "Scene/HounsfieldScale.h"
 #include "Scene/Presets.h"
 #include "Scene/VolumeProperty.h"
 
@@ -14,7 +15,6 @@ namespace
 {
 
 // Limits in Hounsfield units.
-constexpr double HighestAir = -900.0;
 constexpr double LowestMetal = 2800.0;
 
 constexpr double LowestLung = -900.0;
@@ -150,7 +150,7 @@ PresetSuggestion SuggestedPreset(const LoadedVolume& volume, const ImageStatisti
   {
     return { "mr-maximum", SuggestionReason::Modality, volume.modality };
   }
-  if (statistics.Smallest() <= HighestAir)
+  if (statistics.Smallest() <= HighestAirHu)
   {
     return ForCt(volume, statistics, { "ct-bone", SuggestionReason::ValuesOfAir, "" });
   }

@@ -65,6 +65,13 @@ std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image)
   return planes;
 }
 
+bool IsKept(const glm::dvec3& pointMm, const std::vector<CutPlane>& planes)
+{
+  return std::all_of(planes.begin(), planes.end(),
+    [&](const CutPlane& plane)
+    { return glm::dot(VectorOf(plane.normal), pointMm - VectorOf(plane.pointMm)) >= 0.0; });
+}
+
 std::array<double, 3> MiddleOf(vtkImageData* image)
 {
   return NumbersOf(PointAtParts(glm::dvec3(0.5), image));

@@ -16,6 +16,9 @@ namespace varimarch
 /// All clipping planes for a mapper: those of the box that remove anything, then the free planes.
 std::vector<CutPlane> PlanesOf(const SceneCuts& cuts, vtkImageData* image);
 
+/// True if a point in world space [mm] lies on the kept side of all planes.
+bool IsKept(const glm::dvec3& pointMm, const std::vector<CutPlane>& planes);
+
 /// World position at the given fractions of the way from the first voxel to the last of each axis.
 glm::dvec3 PointAtParts(const glm::dvec3& parts, vtkImageData* image);
 

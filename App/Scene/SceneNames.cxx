@@ -74,6 +74,13 @@ const NameTable<VoxelDistance>& VoxelDistanceNames()
   return table;
 }
 
+const NameTable<Lengths>& LengthsNames()
+{
+  static const NameTable<Lengths> table = { { "millimetres", Lengths::Millimetres },
+    { "relative", Lengths::Relative } };
+  return table;
+}
+
 const NameTable<Domain>& DomainNames()
 {
   static const NameTable<Domain> table = { { "data", Domain::Data },

@@ -22,6 +22,7 @@ const NameTable<Acceleration>& AccelerationNames();
 const NameTable<Integration>& IntegrationNames();
 const NameTable<VoxelDistance>& VoxelDistanceNames();
 const NameTable<Domain>& DomainNames();
+const NameTable<Lengths>& LengthsNames();
 const NameTable<Interpolation>& InterpolationNames();
 const NameTable<VolumeLevel>& LevelNames();
 const NameTable<LightKind>& LightKindNames();

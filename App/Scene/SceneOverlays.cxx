@@ -4,6 +4,7 @@
 #include "Scene/LookRegions.h"
 #include "Scene/Placing.h"
 #include "Scene/SegmentDrawing.h"
+#include "Scene/VolumeColors.h"
 #include "Scene/VolumeProperty.h"
 
 #include <vtkBoundingBox.h>
@@ -87,7 +88,7 @@ vtkSmartPointer<vtkVolumeProperty> PropertyOf(const OverlaidVolume& overlay, vtk
 {
   const Look look = Weakened(InUnitsOfData(overlay.look, image), overlay.opacity);
   auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  ApplyLook(look, MeanSpacingMm(image), property);
+  ApplyLook(look, image, property);
   if (!look.regions.empty() && image->GetNumberOfScalarComponents() == 1)
   {
     ApplyRegions(look.regions, image, property);
@@ -149,20 +150,21 @@ void SceneOverlays::Set(const std::vector<OverlaidVolume>& overlays,
     {
       continue;
     }
+    vtkImageData* const image = voxels[i].image;
     wanted.push_back(
-      { voxels[i].image, PropertyOf(overlay, voxels[i].image), overlay.placement, false });
+      { image, this->DrawnVoxels(image), PropertyOf(overlay, image), overlay.placement, false });
     if (voxels[i].labels && overlay.labels)
     {
       const LabelMap& labels = *voxels[i].labels;
-      ofLabels.push_back(
-        { labels.image, PropertyOf(labels, overlay.labels->segments, overlay.look.shading),
-          overlay.placement, true });
+      ofLabels.push_back({ labels.image, labels.image,
+        PropertyOf(labels, overlay.labels->segments, overlay.look.shading), overlay.placement,
+        true });
     }
   }
   if (!wanted.empty() && firstSegments.labels)
   {
     ofLabels.insert(ofLabels.begin(),
-      { firstSegments.numbers,
+      { firstSegments.numbers, firstSegments.numbers,
         PropertyOf(*firstSegments.labels, firstSegments.segments, firstSegments.shading), {},
         true });
   }
@@ -172,6 +174,14 @@ void SceneOverlays::Set(const std::vector<OverlaidVolume>& overlays,
     wanted.push_back(*part);
   }
   this->SetParts(std::move(wanted));
+}
+
+// Colours are converted once, while their volume is drawn.
+vtkSmartPointer<vtkImageData> SceneOverlays::DrawnVoxels(vtkImageData* source) const
+{
+  const auto before = std::find_if(this->parts.begin(), this->parts.end(),
+    [source](const Part& part) { return part.source == source; });
+  return before == this->parts.end() ? ColoredVoxels(source) : before->image;
 }
 
 void SceneOverlays::SetParts(std::vector<Part> wanted)

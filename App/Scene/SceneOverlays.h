@@ -67,13 +67,15 @@ public:
 private:
   struct Part
   {
-    vtkSmartPointer<vtkImageData> image;
+    vtkSmartPointer<vtkImageData> source;
+    vtkSmartPointer<vtkImageData> image; ///< the voxels that are drawn
     vtkSmartPointer<vtkVolumeProperty> property;
     Placement placement;
     bool isLabels; ///< its voxels are boxes
     vtkSmartPointer<vtkVolume> volume = {};
   };
 
+  vtkSmartPointer<vtkImageData> DrawnVoxels(vtkImageData* source) const;
   void SetParts(std::vector<Part> wanted);
   void ConnectParts(std::size_t countBefore);
   void ShowPart(const Part& part) const;

@@ -89,13 +89,6 @@ private:
   vtkNew<vtkImageInterpolator> interpolator;
 };
 
-bool IsKept(const glm::dvec3& pointWorld, const std::vector<CutPlane>& planes)
-{
-  return std::all_of(planes.begin(), planes.end(),
-    [&](const CutPlane& plane)
-    { return glm::dot(VectorOf(plane.normal), pointWorld - VectorOf(plane.pointMm)) >= 0.0; });
-}
-
 // Absorption along a ray from front to back, for composites and isosurfaces.
 class RayLight
 {

@@ -10,6 +10,7 @@
 #include "Scene/SceneLights.h"
 #include "Scene/Scissors.h"
 #include "Scene/SegmentDrawing.h"
+#include "Scene/VolumeColors.h"
 #include "Scene/VolumeProperty.h"
 
 #include <vtkCamera.h>
@@ -93,17 +94,18 @@ bool CanDrawRegions(MapperKind kind, Blend blend, vtkImageData* image)
 ScenePipeline::ScenePipeline(const Scene& scene, vtkImageData* image, MapperKind kind)
   : kind(kind)
   , image(image)
+  , voxels(ColoredVoxels(image))
   , mapper(NewMapper(kind))
   , overlays(kind, this->mapper, this->volume)
 {
   if (IsOurs(kind))
   {
-    this->mapper->SetInputDataObject(image);
+    this->mapper->SetInputDataObject(this->voxels);
   }
   else
   {
     vtkNew<vtkTransform> worldFromImage;
-    this->mapper->SetInputDataObject(WithoutDirection(RightHanded(image), worldFromImage));
+    this->mapper->SetInputDataObject(WithoutDirection(RightHanded(this->voxels), worldFromImage));
     this->volume->SetUserTransform(worldFromImage);
   }
   this->volume->SetMapper(this->mapper);
@@ -225,7 +227,7 @@ bool ScenePipeline::DrawsRegions() const
 void ScenePipeline::ApplyProperty()
 {
   vtkNew<vtkVolumeProperty> property;
-  ApplyLook(this->look, MeanSpacingMm(this->image), property);
+  ApplyLook(this->look, this->image, property);
   if (this->DrawsRegions())
   {
     ApplyRegions(this->look.regions, this->image, property);
@@ -279,7 +281,7 @@ void ScenePipeline::ApplyFirstImage()
 void ScenePipeline::ApplyVoxels()
 {
   const vtkSmartPointer<vtkImageData> drawn =
-    this->mapperMask ? WithoutRemoved(this->image, this->mapperMask) : this->image;
+    this->mapperMask ? WithoutRemoved(this->voxels, this->mapperMask) : this->voxels;
   vtkNew<vtkTransform> unused; // the geometry is the same
   this->mapper->SetInputDataObject(
     0, IsOurs(this->kind) ? drawn : WithoutDirection(RightHanded(drawn), unused));
@@ -288,6 +290,7 @@ void ScenePipeline::ApplyVoxels()
 void ScenePipeline::SetImage(vtkImageData* newImage)
 {
   this->image = newImage;
+  this->voxels = ColoredVoxels(newImage);
   this->ApplyVoxels();
   if (this->DrawsRegions())
   {

@@ -45,6 +45,11 @@ public:
   vtkVolume* Volume() { return this->volume; }
   vtkVolumeMapper* Mapper() { return this->mapper; }
 
+  vtkImageData* Image() const { return this->image; }
+
+  /// The look that is drawn, in units of the data and in millimetres.
+  const Look& DrawnLook() const { return this->look; }
+
   /// The part that scissors and BodyMask keep, see Scissors.h; null if they keep all.
   vtkImageData* Mask() const { return this->mask; }
 
@@ -93,7 +98,8 @@ private:
 
   MapperKind kind;
   vtkSmartPointer<vtkImageData> image;
-  Look look; ///< in units of the data
+  vtkSmartPointer<vtkImageData> voxels; ///< the image, or its colours, as the mapper draws it
+  Look look;                            ///< in units of the data
   RenderOptions options;
   Lighting lighting;
   std::vector<ScissorsCut> scissors; ///< the cuts that made the mask

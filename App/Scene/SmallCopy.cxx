@@ -1,9 +1,11 @@
 #include "Scene/SmallCopy.h"
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkImageShrink3D.h>
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 
 #include <array>
 
@@ -37,6 +39,8 @@ vtkSmartPointer<vtkImageData> SmallCopy(vtkImageData* image, int largestSide)
   small->SetOrigin(origin.data());
   small->SetSpacing(spacing.data());
   small->SetDirectionMatrix(image->GetDirectionMatrix());
+  // They say whether the components are colours.
+  small->GetPointData()->GetScalars()->CopyComponentNames(image->GetPointData()->GetScalars());
   return small;
 }
 

@@ -119,9 +119,9 @@ void WritePart(const FileSource& file, nlohmann::ordered_json& json)
   {
     json["level"] = *file.level;
   }
-  if (file.channel != 0)
+  if (file.channel)
   {
-    json["channel"] = file.channel;
+    json["channel"] = *file.channel;
   }
   if (file.timeSeconds)
   {

@@ -1,5 +1,6 @@
 #include "Scene/VolumeLoading.h"
 
+#include "Readers/VolumeFile.h"
 #include "Scene/ProceduralVolume.h"
 #include "Scene/SceneNames.h"
 #include "Scene/Segments.h"
@@ -116,7 +117,7 @@ void Apply(const FileSource& source, QuietReader& reader)
   reader->SetRectifySlices(source.rectified.value_or(false));
   reader->SetRectifyMisplacedSlices(!source.rectified);
   reader->SetResolutionLevel(source.level.value_or(-1));
-  reader->SetChannel(source.channel);
+  reader->SetChannel(source.channel.value_or(AllChannels));
   if (source.raw)
   {
     Apply(*source.raw, reader.operator->());

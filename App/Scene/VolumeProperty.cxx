@@ -1,7 +1,10 @@
 #include "Scene/VolumeProperty.h"
 
+#include "Readers/ImageFacts.h"
 #include "Scene/HounsfieldScale.h"
 #include "Scene/ImageStatistics.h"
+#include "Scene/LengthScale.h"
+#include "Scene/LookChannels.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
@@ -76,12 +79,36 @@ Look OfData(Look look)
   return look;
 }
 
+// The other values that stand for those of a look.
+struct Values
+{
+  std::function<double(double)> valueOf;
+  double factor; ///< mean change of a difference of values
+};
+
+Values ValuesFor(Domain domain, const ImageStatistics& statistics)
+{
+  if (domain == Domain::Relative)
+  {
+    const double zero = statistics.Percentile(1.0);
+    const double range = statistics.Percentile(99.9) - zero;
+    return { [=](double value) { return zero + value * range; }, range };
+  }
+  if (domain == Domain::Hounsfield && !MayBeHounsfieldUnits(statistics))
+  {
+    if (const auto scale = EstimatedHounsfieldScale(statistics))
+    {
+      return { [=](double value) { return scale->ValueAt(value); }, scale->Factor() };
+    }
+  }
+  return { [](double value) { return value; }, 1.0 };
+}
+
 // The look with other values.
-// @param factor  mean change of a difference of values
-Look Resolved(const Look& look, const std::function<double(double)>& valueOf, double factor)
+Look WithValues(const Look& look, const Values& values)
 {
   Look resolved = OfData(look);
-  const auto resolve = [&](double& value) { value = valueOf(value); };
+  const auto resolve = [&](double& value) { value = values.valueOf(value); };
   for (ColorNode& node : resolved.colors)
   {
     resolve(node.value);
@@ -99,31 +126,68 @@ Look Resolved(const Look& look, const std::function<double(double)>& valueOf, do
     resolve((*resolved.averagedRange)[0]);
     resolve((*resolved.averagedRange)[1]);
   }
-  for (OpacityNode& node : resolved.gradientOpacities)
-  {
-    node.value *= factor;
-  }
   for (LookRegion& region : resolved.regions)
   {
     resolve(region.values[0]);
     resolve(region.values[1]);
-    region.gradients[0] *= factor;
-    region.gradients[1] *= factor;
   }
-  resolved.dampingGradient *= factor;
   return resolved;
 }
 
-// The air beside a patient makes the first slice of nearly any CT negative. It spares counting all
+void ScaleGradients(double factor, Look& look)
+{
+  for (OpacityNode& node : look.gradientOpacities)
+  {
+    node.value *= factor;
+  }
+  for (LookRegion& region : look.regions)
+  {
+    region.gradients[0] *= factor;
+    region.gradients[1] *= factor;
+  }
+  look.dampingGradient *= factor;
+}
+
+Look InMillimetres(Look look, double lengthFactor)
+{
+  if (look.lengths == Lengths::Relative)
+  {
+    look.lengths = Lengths::Millimetres;
+    look.opacityUnitDistanceMm *= lengthFactor;
+    ScaleGradients(1.0 / lengthFactor, look);
+  }
+  return look;
+}
+
+// A look whose values are those of the first channel gets windows for the others, so that each
+// channel looks as if it were alone.
+std::vector<LookChannel> ChannelsFor(const Look& look, const ImageStatistics& statistics)
+{
+  std::vector<LookChannel> channels = WithAllChannels(look.channels, statistics.Channels());
+  const std::size_t count = std::min(channels.size(), statistics.Channels().size());
+  for (std::size_t i = 1; i < count && look.domain != Domain::Data; ++i)
+  {
+    const Values values = ValuesFor(look.domain, statistics.OfChannel(i));
+    const std::array<double, 2> window = { values.valueOf(look.opacities.front().value),
+      values.valueOf(look.opacities.back().value) };
+    if (!channels[i].window && window[0] < window[1])
+    {
+      channels[i].window = window;
+    }
+  }
+  return channels;
+}
+
+// The air beside a patient fills most of the first slice of nearly any CT. It spares counting all
 // voxels, which may be in a file.
-bool BeginsWithNegativeValues(vtkImageData* image)
+bool BeginsWithAir(vtkImageData* image)
 {
   vtkDataArray* const values = image->GetPointData()->GetScalars();
   const int* const count = image->GetDimensions();
   const vtkIdType inSlice = std::min(vtkIdType(count[0]) * count[1], values->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < inSlice; ++i)
+  for (vtkIdType i = 0; i < inSlice && values->GetNumberOfComponents() == 1; ++i)
   {
-    if (values->GetComponent(i, 0) < 0.0)
+    if (values->GetComponent(i, 0) <= HighestAirHu)
     {
       return true;
     }
@@ -140,34 +204,45 @@ void ApplySurfaces(const std::vector<Isosurface>& surfaces, vtkVolumeProperty* p
   }
 }
 
+void ApplyCurves(const Look& look, double meanSpacingMm, int component, vtkVolumeProperty* property)
+{
+  const bool surfaces = look.blend == Blend::Isosurface;
+  property->SetColor(component, ColorsOf(surfaces ? ColorsOfSurfaces(look) : look.colors));
+  property->SetScalarOpacity(
+    component, CurveOf(surfaces ? OpacitiesOfSurfaces(look) : look.opacities, 1.0));
+  property->SetGradientOpacity(component,
+    look.gradientOpacities.empty() ? vtkSmartPointer<vtkPiecewiseFunction>()
+                                   : CurveOf(look.gradientOpacities, meanSpacingMm));
+  property->SetScalarOpacityUnitDistance(component, look.opacityUnitDistanceMm);
+}
+
 }
 
 Look InUnitsOfData(const Look& look, vtkImageData* image)
 {
   // The mapper refuses an image without values.
-  const bool isResolved = look.domain == Domain::Data || !image->GetPointData()->GetScalars() ||
-    (look.domain == Domain::Hounsfield && BeginsWithNegativeValues(image));
-  return isResolved ? OfData(look) : InUnitsOfData(look, ImageStatistics(image));
+  if (!image->GetPointData()->GetScalars())
+  {
+    return OfData(look);
+  }
+  if (look.domain == Domain::Data && look.lengths == Lengths::Millimetres)
+  {
+    Look resolved = look;
+    resolved.channels = WithAllChannels(look.channels, ChannelsIn(image));
+    return resolved;
+  }
+  return look.domain == Domain::Hounsfield && BeginsWithAir(image)
+    ? InMillimetres(OfData(look), LengthFactor(image, HighestAirHu))
+    : InUnitsOfData(look, ImageStatistics(image));
 }
 
 Look InUnitsOfData(const Look& look, const ImageStatistics& statistics)
 {
-  if (look.domain == Domain::Relative)
-  {
-    const double zero = statistics.Percentile(1.0);
-    const double range = statistics.Percentile(99.9) - zero;
-    return Resolved(
-      look, [=](double value) { return zero + value * range; }, range);
-  }
-  if (look.domain == Domain::Hounsfield && !MayBeHounsfieldUnits(statistics))
-  {
-    if (const auto scale = EstimatedHounsfieldScale(statistics))
-    {
-      return Resolved(
-        look, [&](double value) { return scale->ValueAt(value); }, scale->Factor());
-    }
-  }
-  return OfData(look);
+  const Values values = ValuesFor(look.domain, statistics);
+  Look resolved = WithValues(look, values);
+  ScaleGradients(values.factor, resolved);
+  resolved.channels = ChannelsFor(look, statistics);
+  return InMillimetres(resolved, statistics.LengthFactor());
 }
 
 bool Suits(const Look& look, const ImageStatistics& statistics)
@@ -182,26 +257,30 @@ double MeanSpacingMm(vtkImageData* image)
   return (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
 }
 
-void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* property)
+void ApplyLook(const Look& look, vtkImageData* image, vtkVolumeProperty* property)
 {
-  const bool surfaces = look.blend == Blend::Isosurface;
-  property->SetColor(ColorsOf(surfaces ? ColorsOfSurfaces(look) : look.colors));
-  property->SetScalarOpacity(CurveOf(surfaces ? OpacitiesOfSurfaces(look) : look.opacities, 1.0));
+  const bool areColors = HoldsColors(image);
+  const int count = std::clamp(image->GetNumberOfScalarComponents(), 1, int(MostChannels));
+  property->SetIndependentComponents(!areColors);
+  for (int component = 0; component < (areColors ? 1 : count); ++component)
+  {
+    ApplyCurves(
+      LookOfChannel(look, std::size_t(component)), MeanSpacingMm(image), component, property);
+  }
   ApplySurfaces(look.isosurfaces, property);
-  property->SetGradientOpacity(look.gradientOpacities.empty()
-      ? vtkSmartPointer<vtkPiecewiseFunction>()
-      : CurveOf(look.gradientOpacities, meanSpacingMm));
-  property->SetScalarOpacityUnitDistance(look.opacityUnitDistanceMm);
   ApplyShading(look.shading, property);
 }
 
 void ApplyShading(const Shading& shading, vtkVolumeProperty* property)
 {
-  property->SetShade(shading.enabled);
-  property->SetAmbient(shading.ambient);
-  property->SetDiffuse(shading.diffuse);
-  property->SetSpecular(shading.specular);
-  property->SetSpecularPower(shading.specularPower);
+  for (int component = 0; component < int(MostChannels); ++component)
+  {
+    property->SetShade(component, shading.enabled);
+    property->SetAmbient(component, shading.ambient);
+    property->SetDiffuse(component, shading.diffuse);
+    property->SetSpecular(component, shading.specular);
+    property->SetSpecularPower(component, shading.specularPower);
+  }
 }
 
 }

@@ -11,9 +11,9 @@ namespace varimarch
 
 class ImageStatistics;
 
-/// Converts a look's values to units of the data. A look whose domain is Data is returned
-/// unchanged; others are resolved for this volume. Hounsfield units are left if the values can be
-/// such, or if no others are found that stand for them.
+/// Converts a look's values to units of the data, and its lengths to millimetres, for this volume.
+/// Hounsfield units are left if the values can be such, or if no others are found that stand for
+/// them. The look has settings for each channel of a volume with several.
 Look InUnitsOfData(const Look& look, vtkImageData* image);
 Look InUnitsOfData(const Look& look, const ImageStatistics& statistics);
 
@@ -24,11 +24,12 @@ bool Suits(const Look& look, const ImageStatistics& statistics);
 /// Mean spacing of the voxels [mm]. VTK measures gradients in units of the data per mean spacing.
 double MeanSpacingMm(vtkImageData* image);
 
-/// Copies the curves, surfaces and coefficients of a look, whose domain must be Data, to a
-/// property.
-void ApplyLook(const Look& look, double meanSpacingMm, vtkVolumeProperty* property);
+/// Copies the curves, surfaces and coefficients of a look, which must be in units of the data, to
+/// the property of an image: to all channels of several. Colours stay as they are, and opacities
+/// depend on their alpha; see ColoredVoxels, which the mapper must draw.
+void ApplyLook(const Look& look, vtkImageData* image, vtkVolumeProperty* property);
 
-/// Copies the coefficients of the light alone.
+/// Copies the coefficients of the light alone, to all components.
 void ApplyShading(const Shading& shading, vtkVolumeProperty* property);
 
 }

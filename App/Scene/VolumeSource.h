@@ -37,7 +37,9 @@ struct FileSource
   /// The level of a file with several, the finest of which is 0; empty for the finest that fits in
   /// half of the free memory or can stay in its chunks.
   std::optional<int> level = {};
-  int channel = 0;                        ///< a channel of a file with several, counted from 0
+  /// A channel of a file with several, counted from 0; empty for all of two to four that can be
+  /// read as a whole, or else the first.
+  std::optional<int> channel = {};
   int time = 0;                           ///< which of several times, counted from 0
   std::optional<double> timeSeconds = {}; ///< if given, the time nearest to this one is read
   bool filesAreTimes = false;             ///< as vtkVolumeFileReader::SetFilesAreTimes

@@ -47,6 +47,9 @@ def imaris_files_lie_where_they_say(folder):
     assert numpy.allclose(image.GetSpacing(), (1e-3, 2e-3, 2e-3))
     assert numpy.allclose(image.GetOrigin(), (10.5e-3, -3e-3, 1e-3))
     assert any("2 channels" in doubt for doubt in doubts), doubts
+    found, image, _ = read(folder / "a.ims", channel="all")
+    assert (found == numpy.stack((values, values + numpy.uint16(1)), axis=-1)).all()
+    assert image.GetPointData().GetScalars().GetComponentName(1) == "Channel 2"
     found, image, _ = read(folder / "a.ims", level=1, channel=1)
     assert (found == values[::2, ::2, ::2] + numpy.uint16(1)).all()
     assert numpy.allclose(image.GetSpacing(), (11e-3 / 6, 18e-3 / 5, 14e-3 / 4))

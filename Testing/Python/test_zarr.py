@@ -121,7 +121,8 @@ def zarr_levels_channels_and_times_are_chosen(folder):
         write_zarr(path / str(level), array, chunks=(1, 2, 3, 3, 3))
     window = {"window": {"start": 10, "end": 30, "min": 0, "max": 99}}
     describe(path, "tczyx", [((1.0, 1.0, 2.0 * f, 3.0 * f, 4.0 * f), (0.0,) * 5) for f in (1, 2)],
-             omero={"channels": [window] * 3})
+             omero={"channels": [{**window, "label": name, "color": color} for name, color in
+                                 (("DAPI", "0000FF"), ("GFP", "00ff00"), ("", "FF8000"))]})
     found, image, doubts = read(path)
     assert (found == values[0, 0]).all()
     assert sum("counted from 0" in doubt for doubt in doubts) == 1, doubts
@@ -129,6 +130,12 @@ def zarr_levels_channels_and_times_are_chosen(folder):
     found, image, _ = read(path, level=1, channel=2, time=1)
     assert (found == half[1, 2]).all()
     assert numpy.allclose(image.GetSpacing(), (8e-3, 6e-3, 4e-3))
+    found, image, doubts = read(path, channel="all", time=1)
+    assert (found == numpy.moveaxis(values[1], 0, -1)).all()
+    assert not any("counted from 0" in doubt for doubt in doubts), doubts
+    names = [image.GetPointData().GetScalars().GetComponentName(i) for i in range(3)]
+    assert names == ["DAPI", "GFP", "Channel 3"], names
+    assert image.GetFieldData().GetArray("ChannelColors").GetTuple3(0) == (0.0, 0.0, 1.0)
     expect_refused(path, "level from 0 to 1", level=2)
     expect_refused(path, "channel from 0 to 2", channel=3)
     expect_refused(path, "time from 0 to 1", time=2)

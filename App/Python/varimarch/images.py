@@ -30,7 +30,8 @@ def read(path, level=None, channel=0, memory=None, time=None, files_are_times=Fa
 
     level: the level to read of OME-Zarr, Imaris or BigDataViewer, the finest of which is 0; default:
         the finest that fits in half of the free memory, or that can be drawn from its chunks.
-    channel: the channel to read of these formats, counted from 0.
+    channel: the channel to read of these formats, counted from 0; or "all" for two to four channels
+        as components, as the program and the viewer read them if they fit in memory.
     memory: bytes of memory that the program may use; default: all of the machine's. Voxels that need
         more than a quarter of it stay in their file, if that has them uncompressed, as single numbers
         of 8 bits, 16 bits or type float: NRRD, MetaImage and NIfTI. The image's scalars are then a
@@ -44,7 +45,7 @@ def read(path, level=None, channel=0, memory=None, time=None, files_are_times=Fa
     """
     reader = vtkVolumeFileReader()
     reader.SetResolutionLevel(-1 if level is None else whole_number("level", level))
-    reader.SetChannel(whole_number("channel", channel))
+    reader.SetChannel(-1 if channel == "all" else whole_number("channel", channel))
     if memory is not None:
         reader.SetMaximumHostMemory(int(number("memory", memory, 1, 2**62)))
     update(reader, path, 0 if time is None else time, files_are_times)
@@ -85,6 +86,8 @@ def update(reader, path, time, files_are_times):
 def to_image(array, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0), direction=None):
     """Returns a vtkImageData with the values of an array [z, y, x] of integers or real numbers.
 
+    An array [z, y, x, component] has 2 to 4 components.
+
     A contiguous array shares its memory with the image: do not change it while it is drawn, and call
     Modified() on the image's scalars after changing it. If an array is indexed [x, y, z], as those
     of nibabel are, pass array.T. The masked values of a numpy.ma.MaskedArray become NaN, in a copy:
@@ -99,7 +102,7 @@ def to_image(array, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0), direction=N
     """
     values = volume_of(array)
     image = vtkImageData()
-    image.SetDimensions(values.shape[::-1])
+    image.SetDimensions(values.shape[2::-1])
     spacing = three_numbers("spacing", spacing)
     if not (spacing > 0.0).all():
         raise ValueError(f"spacing: expected three numbers above 0, found {tuple(spacing)}")
@@ -107,7 +110,7 @@ def to_image(array, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0), direction=N
     image.SetOrigin(three_numbers("origin", origin))
     if direction is not None:
         image.SetDirectionMatrix(matrix_of_directions("direction", direction).ravel())
-    image.GetPointData().SetScalars(numpy_to_vtk(values.reshape(-1)))
+    image.GetPointData().SetScalars(numpy_to_vtk(values.reshape(-1, *values.shape[3:])))
     return image
 
 
@@ -151,13 +154,14 @@ def without_mask(array):
 
 
 def volume_of(array):
-    """Returns an array of three dimensions in a type and a memory order that VTK supports."""
+    """Returns an array [z, y, x] or [z, y, x, component] in a type and an order that VTK supports."""
     check_is_array(array)
     values = without_mask(array) if numpy.ma.isMaskedArray(array) else numpy.asarray(array)
-    if values.ndim != 3 or min(values.shape) < 2:
+    has_components = values.ndim == 4 and 2 <= values.shape[3] <= 4
+    if values.ndim - has_components != 3 or min(values.shape[:3]) < 2:
         raise ValueError(
-            "volume: expected an array [z, y, x] of at least 2 values along each, "
-            f"found one of shape {values.shape}"
+            "volume: expected an array [z, y, x] of at least 2 values along each, or "
+            f"[z, y, x, component] of 2 to 4 components, found one of shape {values.shape}"
         )
     if values.dtype.kind not in "biuf":
         raise TypeError(
@@ -175,4 +179,23 @@ def image_of(volume, spacing):
         return to_image(volume, (1.0, 1.0, 1.0) if spacing is None else spacing)
     if spacing is not None:
         raise ValueError("spacing: expected only with an array; the vtkImageData has its own")
-    return volume
+    has_cells_only = not volume.GetPointData().GetScalars() and volume.GetCellData().GetScalars()
+    return voxels_of_cells(volume) if has_cells_only else volume
+
+
+def voxels_of_cells(image):
+    """Returns an image with a voxel in the middle of each cell, which shares the values."""
+    extent = image.GetExtent()
+    last = [max(extent[2 * axis + 1] - 1, extent[2 * axis]) for axis in range(3)]
+    # A single layer of points is a single layer of flat cells.
+    middle = [0.5 if extent[2 * axis + 1] > extent[2 * axis] else 0.0 for axis in range(3)]
+    origin = [0.0, 0.0, 0.0]
+    image.TransformContinuousIndexToPhysicalPoint(middle, origin)
+    voxels = vtkImageData()
+    voxels.SetExtent(extent[0], last[0], extent[2], last[1], extent[4], last[2])
+    voxels.SetOrigin(origin)
+    voxels.SetSpacing(image.GetSpacing())
+    voxels.SetDirectionMatrix(image.GetDirectionMatrix())
+    voxels.GetPointData().SetScalars(image.GetCellData().GetScalars())
+    voxels.SetFieldData(image.GetFieldData())
+    return voxels

@@ -45,10 +45,44 @@ def opacity_nodes(opacity):
     ]
 
 
+def take_opacities(look, opacity, unit_distance):
+    """Replaces the opacities of a look, and their length, by those that are given."""
+    if opacity is not None:
+        look["opacities"] = opacity_nodes(opacity)
+        look["opacityUnitDistance"] = 1.0
+    if unit_distance is not None:
+        look["opacityUnitDistance"] = number("opacity_unit_distance", unit_distance, 1e-30, 1e30)
+
+
 def lights_of(lights):
     """Returns lights as in the scene format, given such dictionaries with colours of any form."""
     example = '{"kind": "camera", "direction": (1, 1, 1)}'
     return dictionaries_of("lights", lights, example, {"color": 3, "direction": 3, "position": 3})
+
+
+def channels_of(given, usual, color, opacity):
+    """Returns the settings of all channels, given some of them, and those of a preset.
+
+    Curves that replace those of the preset hold for all channels, in units of the data.
+    """
+    channels = [dict(channel) for channel in usual]
+    for channel in channels:
+        if color is not None:
+            channel.pop("rgb", None)
+        if opacity is not None:
+            channel.pop("window", None)
+    if given is None:
+        return channels
+    example = '{"rgb": "lime", "window": (100, 2000)}'
+    settings = dictionaries_of("channels", given, example, {"rgb": 3, "window": 2})
+    if len(settings) > len(channels):
+        raise ValueError(
+            f"channels: expected at most {len(channels)}, one for each component of the volume, "
+            f"found {len(settings)}"
+        )
+    for channel, changed in zip(channels, settings):
+        channel.update(changed)
+    return channels
 
 
 def regions_of(regions):

@@ -2,7 +2,7 @@
 
 from .arguments import number, three_numbers
 from .images import image_of
-from .looks import color_nodes, look_of, opacity_nodes
+from .looks import channels_of, color_nodes, look_of, take_opacities
 
 MOST_OVERLAYS = 3
 KEYS = (
@@ -30,10 +30,11 @@ def overlay_of(given):
     look = look_of(overlay.get("preset", "pet-hot"), image)
     if "color" in overlay:
         look["colors"] = color_nodes(overlay["color"])
-    if "opacity" in overlay:
-        look["opacities"] = opacity_nodes(overlay["opacity"])
-    distance = overlay.get("opacity_unit_distance", look["opacityUnitDistance"])
-    look["opacityUnitDistance"] = number("opacity_unit_distance", distance, 1e-30, 1e30)
+    take_opacities(look, overlay.get("opacity"), overlay.get("opacity_unit_distance"))
+    if "channels" in look:
+        look["channels"] = channels_of(
+            None, look["channels"], overlay.get("color"), overlay.get("opacity")
+        )
     return {
         # The image replaces this file.
         "volume": {"file": "array"},

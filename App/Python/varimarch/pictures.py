@@ -14,7 +14,15 @@ from . import _scene
 from .arguments import ascending_pair, choice, instance, number, truth
 from .images import image_of, to_array, to_image
 from .labels import drawn_labels
-from .looks import color_nodes, lights_of, look_of, opacity_nodes, regions_of, rgb_of
+from .looks import (
+    channels_of,
+    color_nodes,
+    lights_of,
+    look_of,
+    regions_of,
+    rgb_of,
+    take_opacities,
+)
 from .overlays import overlays_of
 from .vtk_messages import vtk_messages_as_exceptions
 
@@ -33,7 +41,8 @@ def render(
     preset="mr-head",
     color=None,
     opacity=None,
-    opacity_unit_distance=1.0,
+    opacity_unit_distance=None,
+    channels=None,
     regions=None,
     shade=None,
     lights=None,
@@ -65,7 +74,8 @@ def render(
 ):
     """Renders a volume, and returns an image as an array [row, column, (red, green, blue)] of uint8.
 
-    volume: an array [z, y, x] of integers or real numbers, or a vtkImageData such as read() returns.
+    volume: an array [z, y, x] of integers or real numbers, or [z, y, x, component] of 2 to 4
+        components; or a vtkImageData such as read() returns, with values at points or in cells.
     spacing: distances between the voxels of an array along x, y, z [mm]; default: 1, 1, 1.
 
     preset: name of the look, one of presets(). The default is for any data, "ct-bone" for Hounsfield
@@ -74,7 +84,15 @@ def render(
         interpolated linearly. A colour is a name as "ivory", "#ff8800", or (red, green, blue) from 0
         to 1.
     opacity: replaces the preset's opacities: a list of (value, opacity), with opacities from 0 to 1.
-    opacity_unit_distance: the length over which material has these opacities [mm].
+    opacity_unit_distance: the length over which material has these opacities [mm]. Default: 1 for the
+        argument opacity and for presets of patients, whom read() knows from DICOM, NIfTI and others,
+        and Hounsfield units tell; presets draw another volume, such as an array, as if a cube as
+        large had a side of 200 mm.
+    channels: the components of a volume with two to four independent ones, a list of dictionaries as
+        in Documentation/SceneFormat.md, with any of "rgb", a colour in place of the one of the file;
+        "visible", True or False; "opacity", a factor from 0 to 1; and "window", the values that
+        look as the first and the last value of the opacities. Components that are colours are drawn
+        as they are, and their opacity is that of their alpha or luminance.
     regions: a transfer function of value and gradient magnitude, which replaces colours and opacities:
         a list of dictionaries as in Documentation/SceneFormat.md, such as {"shape": "ellipse",
         "values": (100, 300), "gradients": (50, 200), "rgb": "ivory", "opacity": 0.3}. Composites of
@@ -141,9 +159,14 @@ def render(
     look = look_of(preset, image)
     if color is not None:
         look["colors"] = color_nodes(color)
-    if opacity is not None:
-        look["opacities"] = opacity_nodes(opacity)
-    look["opacityUnitDistance"] = number("opacity_unit_distance", opacity_unit_distance, 1e-30, 1e30)
+    take_opacities(look, opacity, opacity_unit_distance)
+    if "channels" in look:
+        look["channels"] = channels_of(channels, look["channels"], color, opacity)
+    elif channels is not None:
+        raise ValueError(
+            "channels: expected a volume of two to four components that are independent, "
+            "found one of a single component, or colours"
+        )
     if shade is not None:
         look["shading"]["enabled"] = truth("shade", shade)
     if regions is not None:

@@ -23,7 +23,7 @@ std::shared_ptr<DecodedPyramid> PyramidOf(const FileSource& source)
   }
   ReadProgress silent([](double) { return true; });
   ReadOptions options;
-  options.channel = source.channel;
+  options.channel = source.channel.value_or(0);
   options.time = source.time;
   return OpenPyramidAt(source.path, options, silent);
 }

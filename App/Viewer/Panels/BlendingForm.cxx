@@ -19,6 +19,10 @@ namespace varimarch
 namespace
 {
 
+// Lengths for a patient. Other volumes may be much smaller or larger.
+constexpr double ShortestUnitMm = 0.01;
+constexpr double LongestUnitMm = 100.0;
+
 // Name of a blend mode and its purpose.
 struct BlendText
 {
@@ -75,10 +79,10 @@ void BlendingForm::MakeBlend()
 
 void BlendingForm::MakeUnitDistance()
 {
-  this->unitDistance = new NumberSlider(0.01, 100.0, NumberSlider::Scale::Logarithmic);
+  this->unitDistance =
+    new NumberSlider(ShortestUnitMm, LongestUnitMm, NumberSlider::Scale::Logarithmic);
   this->unitDistance->setObjectName("unitDistance");
   this->unitDistance->SetSuffix(tr(" mm"));
-  this->unitDistance->setToolTip(tr("Thickness of material that has the opacities of the curve"));
   connect(this->unitDistance, &NumberSlider::Edited, this,
     [this](double millimetres, int gesture)
     {
@@ -138,6 +142,18 @@ void BlendingForm::ShowRow(QWidget* field, bool shown)
   this->form->labelForField(field)->setVisible(shown);
 }
 
+void BlendingForm::ShowUnitDistance(double millimetres, double lengthFactor)
+{
+  this->unitDistance->SetRange(std::min(lengthFactor * ShortestUnitMm, millimetres),
+    std::max(lengthFactor * LongestUnitMm, millimetres));
+  this->unitDistance->SetNumber(millimetres);
+  const QString meaning = tr("Thickness of material that has the opacities of the curve");
+  this->unitDistance->setToolTip(lengthFactor == 1.0 ? meaning
+                                                     : meaning +
+        tr(". Presets set it by the size of the volume, which is not known to show a "
+           "patient"));
+}
+
 void BlendingForm::Update(ScenePart part)
 {
   if (part != ScenePart::Look && !IsOtherLookVolume(part))
@@ -147,7 +163,7 @@ void BlendingForm::Update(ScenePart part)
   const Look& look = this->model->EditedLook();
   const ImageStatistics& statistics = this->model->EditedStudy()->statistics;
   this->blend->setCurrentIndex(this->blend->findData(int(look.blend)));
-  this->unitDistance->SetNumber(look.opacityUnitDistanceMm);
+  this->ShowUnitDistance(look.opacityUnitDistanceMm, statistics.LengthFactor());
   const std::array<double, 2> range = look.averagedRange.value_or(
     std::array<double, 2>{ statistics.Smallest(), statistics.Largest() });
   for (const auto& [box, value] :

@@ -28,6 +28,7 @@ private:
   void MakeAveragedRange();
   void ChooseBlend(Blend blend);
   void ChooseAveragedRange();
+  void ShowUnitDistance(double millimetres, double lengthFactor);
   void Update(ScenePart part);
   void ShowRow(QWidget* field, bool shown);
 

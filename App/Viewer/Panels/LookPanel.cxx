@@ -6,6 +6,7 @@
 #include "Viewer/Model/GradientCounting.h"
 #include "Viewer/Model/PresetTitles.h"
 #include "Viewer/Panels/BlendingForm.h"
+#include "Viewer/Panels/ChannelsBox.h"
 #include "Viewer/Panels/GradientOpacityBox.h"
 #include "Viewer/Panels/RegionsBox.h"
 #include "Viewer/Panels/ShadingBox.h"
@@ -80,6 +81,7 @@ LookPanel::LookPanel(SceneModel* model, QWidget* parent)
   auto* const column = new QVBoxLayout(this);
   this->MakePresets(column);
   this->MakeEditor(column);
+  column->addWidget(new ChannelsBox(model));
   column->addWidget(new BlendingForm(model));
   auto* const counting = new GradientCounting(model, this);
   column->addWidget(new GradientOpacityBox(model, counting));

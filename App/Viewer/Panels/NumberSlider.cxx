@@ -23,6 +23,12 @@ double RoundedToThreeDigits(double number)
   return QString::number(number, 'g', 3).toDouble();
 }
 
+// Decimals that show the first digit of a small number.
+int DigitsBehindPoint(double number)
+{
+  return int(std::ceil(-std::log10(number)));
+}
+
 }
 
 NumberSlider::NumberSlider(double smallest, double largest, Scale scale, QWidget* parent)
@@ -68,7 +74,8 @@ void NumberSlider::SetRange(double newSmallest, double newLargest)
   this->smallest = newSmallest;
   this->largest = newLargest;
   const double width = newLargest - newSmallest;
-  this->digits->setDecimals(width < 1.0 ? 4 : 2);
+  this->digits->setDecimals(std::max(
+    width < 1.0 ? 4 : 2, this->scale == Scale::Linear ? 0 : DigitsBehindPoint(newSmallest)));
   this->digits->setRange(newSmallest, newLargest);
   this->digits->setSingleStep(
     this->scale == Scale::Linear ? 0.01 * width : std::min(0.01 * width, 0.1));

@@ -451,6 +451,10 @@ allow more in the menu File, or zoom in.</source>
 Weniger Fehler dauert lange, da seine Voxel nicht in den Arbeitsspeicher passen:
 Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     </message>
+    <message>
+        <source>Nothing is visible: %1.</source>
+        <translation>Nichts ist zu sehen: %1.</translation>
+    </message>
 </context>
 <context>
     <name>PresetTitles</name>
@@ -1366,6 +1370,77 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     <message>
         <source>Largest value of the mean</source>
         <translation>Größter Wert des Mittels</translation>
+    </message>
+    <message>
+        <source>. Presets set it by the size of the volume, which is not known to show a patient</source>
+        <translation>. Die Vorlagen richten sie nach der Größe des Volumens, von dem nicht bekannt ist, ob es einen Patienten zeigt</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ChannelsBox</name>
+    <message>
+        <source>The volume is drawn in its own colours. The curve is their opacity.</source>
+        <translation>Das Volumen hat seine eigenen Farben. Die Kurve ist ihre Deckkraft.</translation>
+    </message>
+    <message>
+        <source>Draws the channel</source>
+        <translation>Zeichnet den Kanal</translation>
+    </message>
+    <message>
+        <source>Colour of the channel</source>
+        <translation>Farbe des Kanals</translation>
+    </message>
+    <message>
+        <source>Colour of channel %1</source>
+        <translation>Farbe von Kanal %1</translation>
+    </message>
+    <message>
+        <source>Opacity of channel %1</source>
+        <translation>Deckkraft von Kanal %1</translation>
+    </message>
+    <message>
+        <source>Factor of the opacities of the curve</source>
+        <translation>Faktor der Deckkraft der Kurve</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>opacity of a channel</source>
+        <translation>Deckkraft eines Kanals</translation>
+    </message>
+    <message>
+        <source>Values from</source>
+        <translation>Werte von</translation>
+    </message>
+    <message>
+        <source>First value of channel %1</source>
+        <translation>Erster Wert von Kanal %1</translation>
+    </message>
+    <message>
+        <source>Last value of channel %1</source>
+        <translation>Letzter Wert von Kanal %1</translation>
+    </message>
+    <message>
+        <source>The curve reaches from the first to the last of these values</source>
+        <translation>Die Kurve reicht vom ersten bis zum letzten dieser Werte</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>values of a channel</source>
+        <translation>Werte eines Kanals</translation>
+    </message>
+    <message>
+        <source>colour of a channel</source>
+        <translation>Farbe eines Kanals</translation>
+    </message>
+    <message>
+        <source>Channel %1</source>
+        <translation>Kanal %1</translation>
     </message>
 </context>
 <context>

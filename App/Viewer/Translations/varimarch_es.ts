@@ -451,6 +451,10 @@ allow more in the menu File, or zoom in.</source>
 Un error menor tarda mucho, porque sus vóxeles no caben en la memoria:
 permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     </message>
+    <message>
+        <source>Nothing is visible: %1.</source>
+        <translation>No se ve nada: %1.</translation>
+    </message>
 </context>
 <context>
     <name>PresetTitles</name>
@@ -1366,6 +1370,77 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     <message>
         <source>Largest value of the mean</source>
         <translation>Valor máximo de la media</translation>
+    </message>
+    <message>
+        <source>. Presets set it by the size of the volume, which is not known to show a patient</source>
+        <translation>. Los preajustes la eligen según el tamaño del volumen, del que no se sabe si muestra a un paciente</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ChannelsBox</name>
+    <message>
+        <source>The volume is drawn in its own colours. The curve is their opacity.</source>
+        <translation>El volumen tiene sus propios colores. La curva es su opacidad.</translation>
+    </message>
+    <message>
+        <source>Draws the channel</source>
+        <translation>Dibuja el canal</translation>
+    </message>
+    <message>
+        <source>Colour of the channel</source>
+        <translation>Color del canal</translation>
+    </message>
+    <message>
+        <source>Colour of channel %1</source>
+        <translation>Color del canal %1</translation>
+    </message>
+    <message>
+        <source>Opacity of channel %1</source>
+        <translation>Opacidad del canal %1</translation>
+    </message>
+    <message>
+        <source>Factor of the opacities of the curve</source>
+        <translation>Factor de las opacidades de la curva</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>canal</translation>
+    </message>
+    <message>
+        <source>opacity of a channel</source>
+        <translation>opacidad de un canal</translation>
+    </message>
+    <message>
+        <source>Values from</source>
+        <translation>Valores desde</translation>
+    </message>
+    <message>
+        <source>First value of channel %1</source>
+        <translation>Primer valor del canal %1</translation>
+    </message>
+    <message>
+        <source>Last value of channel %1</source>
+        <translation>Último valor del canal %1</translation>
+    </message>
+    <message>
+        <source>The curve reaches from the first to the last of these values</source>
+        <translation>La curva va del primero al último de estos valores</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>hasta</translation>
+    </message>
+    <message>
+        <source>values of a channel</source>
+        <translation>valores de un canal</translation>
+    </message>
+    <message>
+        <source>colour of a channel</source>
+        <translation>color de un canal</translation>
+    </message>
+    <message>
+        <source>Channel %1</source>
+        <translation>Canal %1</translation>
     </message>
 </context>
 <context>

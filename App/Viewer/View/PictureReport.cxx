@@ -36,6 +36,26 @@ QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
   return report;
 }
 
+// The sentence in lines that fit into the corner of a small view; empty without a reason.
+QString NoticeOfNothing(const std::string& reason)
+{
+  constexpr int LongestLine = 44;
+  if (reason.empty())
+  {
+    return {};
+  }
+  QString notice;
+  int length = 0;
+  for (const QString& word :
+    Texts::tr("Nothing is visible: %1.").arg(QString::fromStdString(reason)).split(' '))
+  {
+    const bool fits = length > 0 && length + word.size() < LongestLine;
+    notice += (fits ? ' ' : '\n') + word;
+    length = int(word.size()) + (fits ? length + 1 : 0);
+  }
+  return notice;
+}
+
 QString BoundedError(const PictureNumbers& ours)
 {
   if (!ours.keepsTolerance && ours.estimatedError > ours.errorTolerance)
@@ -113,7 +133,7 @@ QString PictureReport(
   {
     return ReportOfVtk(kind, scene, time);
   }
-  return time + '\n' + ErrorOf(*ours);
+  return time + '\n' + ErrorOf(*ours) + NoticeOfNothing(ours->reasonForNothing);
 }
 
 }

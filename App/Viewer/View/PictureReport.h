@@ -6,6 +6,7 @@
 #include <QString>
 
 #include <optional>
+#include <string>
 
 class vtkVariationFieldVolumeMapper;
 
@@ -26,6 +27,8 @@ struct PictureNumbers
   std::optional<double> refinedError = {};
   bool isRefined = false; ///< true for an image of coarse and fine voxels that needs no finer ones
   bool voxelsFit = true;  ///< false if the fine voxels that are to come may not fit in the memory
+  /// The reason why nothing is visible, see EmptyPicture.h; empty if something is.
+  std::string reasonForNothing = {};
 };
 
 PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper);

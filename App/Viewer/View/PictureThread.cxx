@@ -150,6 +150,7 @@ std::optional<ThreadPicture> ThreadView::Draw(Order order, const std::function<b
   picture.seconds = *seconds;
   picture.image = ImageOfBytes(this->view->Bytes()).convertToFormat(QImage::Format_RGB32);
   picture.numbers = NumbersOf(MapperOf(*this->view));
+  picture.numbers.reasonForNothing = isMoving ? "" : this->view->ReasonForNothing(order.scene);
   picture.mask = this->SharedMask();
   picture.wanted = wanted;
   if (isMoving && isFamiliar)

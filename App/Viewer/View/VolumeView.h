@@ -175,6 +175,7 @@ private:
   bool isWhole = true;   ///< all parts of the last frame are complete
   QElapsedTimer pictureTimer;
   double pictureSeconds = 0.0;
+  std::string reasonForNothing; ///< for the last frame of this thread, see EmptyPicture.h
   bool capturing = false;
   bool isLost = false; ///< the graphics card was reset, and the context is still the same
   int turning = SceneModel::NoGesture; ///< gesture number of the camera

@@ -2,6 +2,7 @@
 
 #include "Viewer/View/VolumeView.h"
 
+#include "Scene/EmptyPicture.h"
 #include "Scene/FloatCapture.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/View/VolumeSurface.h"
@@ -179,7 +180,13 @@ std::optional<PictureNumbers> VolumeView::NumbersOfMapper()
     return picture ? picture->numbers : PictureNumbers{ 0, RefiningPictures, 0.0 };
   }
   auto* const ours = this->OurMapper();
-  return ours ? NumbersOf(ours) : std::optional<PictureNumbers>();
+  if (!ours)
+  {
+    return std::nullopt;
+  }
+  PictureNumbers numbers = NumbersOf(ours);
+  numbers.reasonForNothing = this->reasonForNothing;
+  return numbers;
 }
 
 void VolumeView::Refine()
@@ -245,6 +252,11 @@ void VolumeView::EndPicture()
     return;
   }
   this->window->WaitForCompletion();
+  // An image while the user turns the camera is replaced at once.
+  const bool isStill = !this->isTurning && this->pipeline && this->OurMapper();
+  this->reasonForNothing = isStill
+    ? ReasonForNothing(BytesOf(this->window), *this->pipeline, this->model->CurrentScene())
+    : std::string();
   this->Count(1e-9 * double(this->pictureTimer.nsecsElapsed()), this->refining);
 }
 
