@@ -30,7 +30,8 @@ vtkSmartPointer<vtkImageData> SmoothBesideNoise()
   for (int i = 0; i < Columns * Rows * Slices; ++i)
   {
     const bool isSmooth = i % Columns < Columns / 2;
-    values->InsertNextValue(isSmooth ? 0.3f + 0.01f * float(i / (Columns * Rows)) : value(random));
+    const float smooth = 0.3f + 0.01f * float(i / (Columns * Rows)) + 0.0005f * float(i % Columns);
+    values->InsertNextValue(isSmooth ? smooth : value(random));
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(Columns, Rows, Slices);

@@ -23,6 +23,10 @@ namespace
 // lies between two entries.
 constexpr double EntriesPerNodeGap = 32.0;
 
+// The extinction of a ramp to opacity 1 grows without bound at its end: the entry there is opaque,
+// and with it all that is interpolated up to the entry before it.
+constexpr std::size_t EntriesOfOpaqueRamp = 8192;
+
 /// True if a function bends visibly between a node and a value one entry behind it.
 /// @param nodes  the nodes from that one on
 bool Bends(const TransferFunction& transferFunction, std::vector<double>::const_iterator node,
@@ -103,6 +107,20 @@ TableSpan SpanOf(const TransferFunction& transferFunction, ValueRange values)
   return span;
 }
 
+/// True if a curve rises to opacity 1, or falls from it, without a step.
+bool HasOpaqueRamp(const std::vector<OpacityNode>& nodes)
+{
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+  {
+    const bool becomesOpaque = (nodes[i - 1].opacity < 1.0) != (nodes[i].opacity < 1.0);
+    if (becomesOpaque && !AreSidesOfStep(nodes[i - 1].value, nodes[i].value))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// A power of two with enough entries between neighbouring nodes, within the limits.
 /// @param finest  the width of the ramp that replaces a step
 std::size_t EntryCount(const TableSpan& span, double finest,
@@ -114,7 +132,8 @@ std::size_t EntryCount(const TableSpan& span, double finest,
   const double wanted = step
     ? span.Length() / finest + span.EntriesBeside()
     : EntriesPerNodeGap * span.Length() / transferFunction.SmallestNodeGap();
-  std::size_t count = step ? 2 : 1024;
+  const bool isOpaque = HasOpaqueRamp(transferFunction.Opacities());
+  std::size_t count = step ? 2 : isOpaque ? std::min(EntriesOfOpaqueRamp, mostEntries) : 1024;
   while (double(count) < wanted && 2 * count <= mostEntries)
   {
     count *= 2;

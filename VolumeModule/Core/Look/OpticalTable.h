@@ -33,11 +33,12 @@ constexpr float OpaqueExtinction = 1e30f;
 
 /// Samples a transfer function over the part of [smallestValue, largestValue] in which it changes,
 /// on all cores. The number of entries is a power of two, from 1024 to `mostEntries`, with at least
-/// 32 between neighbouring nodes. A step becomes a ramp one entry wide; a function with a step has
-/// as many entries as fit if [smallestValue, largestValue] has `mostEntries`. There are two entries
-/// if nothing changes. A peak between two entries becomes one entry wide and keeps its integral of
-/// extinction over the values, except at the ends: their entries are exact, because whole regions
-/// of a volume, such as its background, may have the end's value.
+/// 32 between neighbouring nodes, and from 8192 if a ramp becomes opaque. A step becomes a ramp one
+/// entry wide; a function with a step has as many entries as fit if [smallestValue, largestValue]
+/// has `mostEntries`. There are two entries if nothing changes. A peak between two entries becomes
+/// one entry wide and keeps its integral of extinction over the values, except at the ends: their
+/// entries are exact, because whole regions of a volume, such as its background, may have the end's
+/// value.
 /// @throws std::invalid_argument unless both values are finite and smallestValue <= largestValue
 OpticalTable BuildOpticalTable(const TransferFunction& transferFunction, double smallestValue,
   double largestValue, std::size_t mostEntries = 65536);

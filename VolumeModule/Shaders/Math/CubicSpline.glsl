@@ -67,3 +67,10 @@ SplineReadings SplineSlope(vec3 x)
   at.farPlace = 1.0f + 0.5f * x * x / weight;
   return at;
 }
+
+// A derivative, or 0 if it is no more than the rounding of a value whose weights sum to 1: even
+// matter has no surface.
+float SlopeBeyondRounding(float value, float slope)
+{
+  return abs(slope) > 3e-7f * abs(value) ? slope : 0.0f;
+}

@@ -145,9 +145,12 @@ public:
       }
     }
     const AxisWeights valueX = MovedInside(AlongX(ofValue), cell.beyond.x);
-    return { SumAlongX(values, valueX),
-      { 2.0f * SumAlongX(values, MovedInside(AlongX(ofSlope), cell.beyond.x)),
-        2.0f * SumAlongX(slopesY, valueX), 2.0f * SumAlongX(slopesZ, valueX) } };
+    const Lanes value = SumAlongX(values, valueX);
+    const Lanes3 slope{ SumAlongX(values, MovedInside(AlongX(ofSlope), cell.beyond.x)),
+      SumAlongX(slopesY, valueX), SumAlongX(slopesZ, valueX) };
+    return { value,
+      { 2.0f * SlopeBeyondRounding(value, slope.x), 2.0f * SlopeBeyondRounding(value, slope.y),
+        2.0f * SlopeBeyondRounding(value, slope.z) } };
   }
 
 private:

@@ -199,13 +199,13 @@ public:
     {
       return this->SlopeIn(this->CellAt(inner, one));
     }
-    const Lanes3 x{ one, Lanes{}, Lanes{} };
-    const Lanes3 y{ Lanes{}, one, Lanes{} };
-    const Lanes3 z{ Lanes{}, Lanes{}, one };
     return { this->ValueAt(positionGrid),
-      { this->ValueAt(positionGrid + x) - this->ValueAt(positionGrid - x),
-        this->ValueAt(positionGrid + y) - this->ValueAt(positionGrid - y),
-        this->ValueAt(positionGrid + z) - this->ValueAt(positionGrid - z) } };
+      { this->ValueBeside(positionGrid, { 1, 0, 0 }) -
+          this->ValueBeside(positionGrid, { -1, 0, 0 }),
+        this->ValueBeside(positionGrid, { 0, 1, 0 }) -
+          this->ValueBeside(positionGrid, { 0, -1, 0 }),
+        this->ValueBeside(positionGrid, { 0, 0, 1 }) -
+          this->ValueBeside(positionGrid, { 0, 0, -1 }) } };
   }
 
   /// @param cellGrid  the first voxel; if it is outside, the nearest cell is read
@@ -240,6 +240,34 @@ private:
     const IntLanes z = Truncated(Min(inside.z, this->lastVoxel.z - beforeLast));
     return { this->strides.IndexOf(x, y, z),
       { inside.x - FloatOf(x), inside.y - FloatOf(y), inside.z - FloatOf(z) } };
+  }
+
+  struct AxisCell
+  {
+    IntLanes first;
+    Lanes part;
+  };
+
+  // The cell some voxels beside that of a position. The part is that of the position itself unless
+  // a face is nearer: the same voxels on both sides of it then have no difference, not even one of
+  // rounding.
+  static AxisCell CellBeside(Lanes position, int voxels, Lanes lastVoxel)
+  {
+    const Lanes whole = Floor(position);
+    const Lanes first = whole + float(voxels);
+    const Lanes last = lastVoxel - 1.0f;
+    return { Truncated(Min(Max(first, Lanes{}), last)),
+      Select(LaneMask(first < 0.0f), Lanes{},
+        Select(LaneMask(first > last), All(1.0f), position - whole)) };
+  }
+
+  Lanes ValueBeside(const Lanes3& positionGrid, const glm::ivec3& voxels) const
+  {
+    const AxisCell x = CellBeside(positionGrid.x, voxels.x, this->lastVoxel.x);
+    const AxisCell y = CellBeside(positionGrid.y, voxels.y, this->lastVoxel.y);
+    const AxisCell z = CellBeside(positionGrid.z, voxels.z, this->lastVoxel.z);
+    return this->ValueIn(
+      { this->strides.IndexOf(x.first, y.first, z.first), { x.part, y.part, z.part } });
   }
 
   // Pairs of voxels at this offset from the first voxel of each cell, in voxels, rows and slices.

@@ -58,7 +58,9 @@ public:
       this->lengthMm = Select(moves, nextMm, this->lengthMm);
       this->isOpen |= moves;
     }
-    const Lanes along = (t - this->from) / this->lengthMm;
+    // Rays that see nothing may be far behind an interval of opaque matter, which has no length.
+    const Lanes along =
+      Select(mask, Clamp((t - this->from) / this->lengthMm, Lanes{}, All(1.0f)), Lanes{});
     this->atStart = (1.0f - along) * (1.0f - 2.0f * along);
     this->inMiddle = 4.0f * along * (1.0f - along);
     this->atEnd = along * (2.0f * along - 1.0f);
