@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -144,4 +145,18 @@ TEST(KeptLight, AlongASheetBetweenNodesKeepsTheTolerance)
     { { 0.3, 0.06 }, { 0.5, 0.06 }, { 0.7, 0.3 }, { 0.9, 0.9 } });
   sheet.LightAlong({ 0.0, 0.0, -1.0 });
   sheet.ExpectPromise(MaterialInOwnShadows(sheet, TruthTolerance));
+}
+
+// Behind matter that is opaque in a few steps, some rays see nothing while others gather light.
+TEST(KeptLight, BehindOpaqueMatterIsFinite)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> value(0.0, 1.0);
+  FineMatter noise(
+    10, [&](int, int, int) { return value(random); }, { { 0.32, 0.0 }, { 0.42, 1.0 } });
+  noise.LightAlong({ 0.3, 0.5, -1.0 });
+  for (const float channel : noise.DrawByProcessor())
+  {
+    ASSERT_TRUE(std::isfinite(channel));
+  }
 }
