@@ -40,9 +40,8 @@ struct SharedSearch::Made
 namespace
 {
 
-// Facts of several parts are merged by taking the least of each number: conditions that one part
-// suffices for are -1 if they hold, those that all parts must meet are 1, and lengths of which the
-// longest counts are negative.
+// Facts of several parts are merged by taking the least of each number. A number of which the
+// greatest counts is negative there.
 constexpr double NumberOfNoPart = std::numeric_limits<double>::infinity();
 constexpr std::size_t NumbersPerBox = 6;
 
@@ -56,37 +55,78 @@ bool HoldsForAny(double least)
   return least < 0.0;
 }
 
+// Calls functions for all facts: of numbers of which the least counts, of numbers of which the
+// greatest counts, of conditions that one part suffices for, and of conditions that all must meet.
+// A new fact does not compile until it is here.
+template <class Facts, class Merge>
+void ForEachFact(Facts& facts, Merge& merge)
+{
+  auto& [limit, range, firstMm, usual, choosesIntegration, preIntegratesByTable, hasLight, isShaded,
+    looksForPeaks, hasNarrowPeaks, losesByTable, hasNodesInTable, mayPreIntegrate, keepsLight,
+    lightOfLimit, preIntegrationCost] = facts;
+  auto& [percentile999, largest] = limit;
+  auto& [coarsest, finest, isOfHalfOctaves] = range;
+  merge.Least(percentile999);
+  merge.Least(largest);
+  merge.Least(coarsest);
+  merge.Greatest(finest);
+  merge.IfAny(isOfHalfOctaves);
+  merge.Least(firstMm);
+  merge.Least(usual);
+  merge.IfAll(choosesIntegration);
+  merge.IfAny(preIntegratesByTable);
+  merge.IfAny(hasLight);
+  merge.IfAny(isShaded);
+  merge.IfAny(looksForPeaks);
+  merge.IfAny(hasNarrowPeaks);
+  merge.IfAny(losesByTable);
+  merge.IfAny(hasNodesInTable);
+  merge.IfAll(mayPreIntegrate);
+  merge.IfAny(keepsLight);
+  merge.Least(lightOfLimit);
+  merge.Greatest(preIntegrationCost);
+}
+
+// Appends facts to numbers.
+struct FactsToNumbers
+{
+  std::vector<double> numbers;
+
+  template <class Number>
+  void Least(Number number)
+  {
+    this->numbers.push_back(double(number));
+  }
+  void Greatest(double number) { this->numbers.push_back(-number); }
+  void IfAny(bool holds) { this->numbers.push_back(varimarch::IfAny(holds)); }
+  void IfAll(bool holds) { this->numbers.push_back(holds ? 1.0 : 0.0); }
+};
+
+// Takes facts from numbers in the same order.
+struct FactsFromNumbers
+{
+  std::vector<double>::const_iterator next;
+
+  void Least(double& number) { number = *this->next++; }
+  void Least(Integration& choice) { choice = Integration(int(*this->next++)); }
+  void Greatest(double& number) { number = -*this->next++; }
+  void IfAny(bool& holds) { holds = HoldsForAny(*this->next++); }
+  void IfAll(bool& holds) { holds = *this->next++ > 0.0; }
+};
+
 std::vector<double> NumbersOf(const SearchFacts& facts)
 {
-  return { facts.limit.percentile999, facts.limit.largest, facts.range.coarsest,
-    -facts.range.finest, facts.firstMm, double(facts.usual), double(facts.choosesIntegration),
-    double(facts.mayPreIntegrate), -facts.preIntegrationCost, facts.lightOfLimit,
-    IfAny(facts.keepsLight), IfAny(facts.hasLight), IfAny(facts.isShaded),
-    IfAny(facts.looksForPeaks), IfAny(facts.hasNarrowPeaks), IfAny(facts.losesByTable),
-    IfAny(facts.hasNodesInTable) };
+  FactsToNumbers to;
+  ForEachFact(facts, to);
+  return to.numbers;
 }
 
 SearchFacts FactsOf(const std::vector<double>& numbers)
 {
-  auto next = numbers.begin();
   SearchFacts facts;
-  facts.limit.percentile999 = *next++;
-  facts.limit.largest = *next++;
-  facts.range.coarsest = *next++;
-  facts.range.finest = std::min(-*next++, facts.range.coarsest);
-  facts.firstMm = *next++;
-  facts.usual = Integration(int(*next++));
-  facts.choosesIntegration = *next++ > 0.0;
-  facts.mayPreIntegrate = *next++ > 0.0;
-  facts.preIntegrationCost = -*next++;
-  facts.lightOfLimit = *next++;
-  facts.keepsLight = HoldsForAny(*next++);
-  facts.hasLight = HoldsForAny(*next++);
-  facts.isShaded = HoldsForAny(*next++);
-  facts.looksForPeaks = HoldsForAny(*next++);
-  facts.hasNarrowPeaks = HoldsForAny(*next++);
-  facts.losesByTable = HoldsForAny(*next++);
-  facts.hasNodesInTable = HoldsForAny(*next++);
+  FactsFromNumbers from{ numbers.begin() };
+  ForEachFact(facts, from);
+  facts.range.finest = std::min(facts.range.finest, facts.range.coarsest);
   return facts;
 }
 
