@@ -63,7 +63,8 @@ public:
   /// The places at which surfaces see what is around them. A label that is lit as its own surface
   /// sees it on the side on which there is less matter; inside a label, that is the place itself.
   template <class Voxels>
-  Lanes3 OutsideOf(const Slope& slope, const Lanes3& placeGrid, const Voxels& voxels) const
+  [[gnu::noinline]] Lanes3 OutsideOf(
+    const Slope& slope, const Lanes3& placeGrid, const Voxels& voxels) const
   {
     const Lanes3 ofValues = this->OutsideBy(slope, placeGrid,
       [&](Lanes value) { return this->LookOf(value, slope.gradient).extinction; });

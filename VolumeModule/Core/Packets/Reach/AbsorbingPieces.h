@@ -76,16 +76,13 @@ void AddInPieces(Lanes extinction, const Lanes& transmittance, const RayPart& pa
 {
   constexpr float DepthOfDense = 0.5f;
   const LaneMask isDense = LaneMask(extinction * part.lengthMm > DepthOfDense);
-  if (!Any(isDense))
-  {
-    add(part);
-    return;
-  }
+  const bool isInPieces = Any(isDense);
   const AbsorbingPieces pieces(
     extinction, transmittance, part, Select(isDense, All(1.0f), Lanes{}));
-  for (int piece = 0; piece < pieces.Count(); ++piece)
+  const int count = isInPieces ? pieces.Count() : 1;
+  for (int piece = 0; piece < count; ++piece)
   {
-    add(pieces.At(piece));
+    add(isInPieces ? pieces.At(piece) : part);
   }
 }
 

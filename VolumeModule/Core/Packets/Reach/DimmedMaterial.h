@@ -263,8 +263,8 @@ public:
 
 private:
   // Gathers what shadows may take away. Returns the colour without that.
-  Lanes3 GatheredFrom(PacketSum& sum, const Optical& look, const OpenSurface& surface,
-    const RayPart& part, LaneMask isSeen)
+  [[gnu::noinline]] Lanes3 GatheredFrom(PacketSum& sum, const Optical& look,
+    const OpenSurface& surface, const RayPart& part, LaneMask isSeen)
   {
     if (this->gathered.IsFullAt(part.t, isSeen, look.extinction))
     {

@@ -50,7 +50,7 @@ public:
   }
 
   /// @param mask  the places that matter
-  Lanes At(const Lanes3& placeGrid, LaneMask mask)
+  [[gnu::noinline]] Lanes At(const Lanes3& placeGrid, LaneMask mask)
   {
     if (!this->cells)
     {
