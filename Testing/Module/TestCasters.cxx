@@ -286,8 +286,9 @@ TEST(Casters, MoveWithoutNewLattices)
   const std::vector<float> after = kept.scene.DrawByProcessor();
   EXPECT_EQ(kept.scene.mapper->GetLightLatticeBuilds(), builds);
   EXPECT_NE(after, before);
+  const std::vector<float> atRest = kept.scene.DrawByProcessor(); // with steps of its own
   TorsoUnderBalls fresh(48);
   prepare(fresh.scene);
   fresh.balls.front()->AddPosition(10.0, 5.0, 0.0);
-  EXPECT_EQ(after, fresh.scene.DrawByProcessor());
+  EXPECT_EQ(atRest, fresh.scene.DrawByProcessor());
 }

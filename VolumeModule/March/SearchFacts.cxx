@@ -13,9 +13,8 @@ namespace varimarch
 namespace
 {
 
-// The range of sample distances, in voxels.
+// The coarsest sample distance, in voxels.
 constexpr double CoarsestVoxels = 4.0;
-constexpr double FinestVoxels = 1.0 / 128.0;
 // At least this many samples on the longest ray: with fewer, halving the distance would not change
 // the image.
 constexpr double FewestSamples = 16.0;
@@ -62,7 +61,7 @@ StepRange RangeOf(const VolumeMarch& march)
     CoarsestDistanceMm(march.frame, march.frame.cuts.boxGrid, LongestRayMm(march.frame));
   // The search also draws at half of the finest distance.
   const double finestMm = std::max(
-    FinestVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
+    FinestStepVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
   return { coarsestMm, std::min(finestMm, coarsestMm), !march.frame.voxelsFit };
 }
 

@@ -7,6 +7,9 @@
 namespace varimarch
 {
 
+/// The shortest step that a search tries, of rays of the eye and of rays to lights, in voxels.
+inline constexpr double FinestStepVoxels = 1.0 / 128.0;
+
 /// Everything that a search for steps must know about a volume besides its trial images.
 struct SearchFacts
 {

@@ -8,6 +8,7 @@
 #include "March/Processor/GeometryLight.h"
 #include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketScenes.h"
+#include "March/SearchFacts.h"
 
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
@@ -31,9 +32,8 @@ namespace
 
 constexpr std::size_t LightsAtOnce = 4; ///< as many as a pixel has numbers
 
-// The range of the steps of light on geometry, in voxels.
+// The longest step of light on geometry, in voxels.
 constexpr double CoarsestVoxels = 4.0;
-constexpr double FinestVoxels = 1.0 / 64.0;
 
 // The places of all squares of pixels [grid space], with 1 as fourth number, or 0 where no receiver
 // is.
@@ -267,8 +267,8 @@ MarchPlan GeometryDimming::WithSteps(
     return NumbersOf(this->LightOn(frame, stepped, trial), trial);
   };
   const double voxelMm = SmallestSpacingMm(frame);
-  const FoundSteps found = FindSampleDistance(
-    drawAt, plan.budget.StepLimit(), { CoarsestVoxels * voxelMm, FinestVoxels * voxelMm }, voxelMm);
+  const FoundSteps found = FindSampleDistance(drawAt, plan.budget.StepLimit(),
+    { CoarsestVoxels * voxelMm, FinestStepVoxels * voxelMm }, voxelMm);
   this->foundStep = found.choice;
   stepped.sampleDistanceMm = found.choice.sampleDistance;
   return stepped;
