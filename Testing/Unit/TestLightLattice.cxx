@@ -11,6 +11,8 @@ TEST(LightLattice, OfALightTakesAtMostAnEighthOfAByteForEachVoxel)
   for (const glm::ivec3 count : { glm::ivec3(4), glm::ivec3(5, 6, 7), glm::ivec3(100, 33, 64) })
   {
     const LightLattice lattice(LightLattice::ShapeOfLight(count));
+    EXPECT_EQ(lattice.Bytes(), 0u) << "before it is used";
+    EXPECT_NE(lattice.Nodes(), nullptr);
     EXPECT_LE(8 * lattice.Bytes(), std::size_t(count.x) * count.y * count.z);
     EXPECT_GT(lattice.Bytes(), 0u);
   }
@@ -26,6 +28,7 @@ TEST(LightLattice, HasNodesThat32BitsCanNumberInAnyVolume)
     EXPECT_LT(nodes, 2147483648.0);
     EXPECT_EQ(shape.voxelsPerNode, 4);
   }
+  EXPECT_FALSE(LightLattice(LightLattice::FineShapeOfSky(large)).HasCells());
 }
 
 TEST(LightLattice, IsEmptyAtFirst)
@@ -49,13 +52,16 @@ TEST(LightLattice, OfAThinVolumeHasNoNodes)
 TEST(LightLattice, OfTheSkyCoversAllPlacesThatSurfacesSeeItFrom)
 {
   const glm::ivec3 voxels(5, 60, 2);
-  const LatticeShape shape = LightLattice::ShapeOfSky(voxels);
-  const double farthest = 0.5 + LightLattice::SkyDistanceVoxels;
-  for (int axis = 0; axis < 3; ++axis)
+  for (const LatticeShape& shape :
+    { LightLattice::ShapeOfSky(voxels), LightLattice::FineShapeOfSky(voxels) })
   {
-    EXPECT_LE(-shape.margin, -farthest);
-    EXPECT_GE(shape.voxelsPerNode * (shape.nodeCount[axis] - 1) - shape.margin,
-      voxels[axis] - 1 + farthest);
+    const double farthest = 0.5 + LightLattice::SkyDistanceVoxels;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(-shape.margin, -farthest);
+      EXPECT_GE(double(shape.voxelsPerNode) * (shape.nodeCount[axis] - 1) - shape.margin,
+        voxels[axis] - 1 + farthest);
+    }
   }
 }
 

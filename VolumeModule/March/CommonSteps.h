@@ -3,6 +3,7 @@
 
 #include "Core/Geometry/Box.h"
 #include "Core/Quality/StepSearch.h"
+#include "Frame/MarchPlan.h"
 
 namespace varimarch
 {
@@ -12,7 +13,7 @@ struct CommonSteps
 {
   StepChoice step;      ///< [mm]
   bool isPreIntegrated; ///< True for pre-integration, false for midpoints, if a trial may choose.
-  double latticePart;   ///< See LightSource.
+  LightSource light;    ///< The way to the light of the images.
   Box wholeData;        ///< The box around all parts, in the coordinates of the data.
 };
 

@@ -228,7 +228,7 @@ void RayMarcher::TakeCommonSteps(const Frame& frame, MarchPlan& plan)
   }
   plan.sampleDistanceMm =
     std::max(this->foundStep->sampleDistance, ShortestDistanceWithSkyMm(frame, plan.marcher));
-  plan.light.latticePart = this->commonSteps->latticePart;
+  plan.light = this->commonSteps->light;
   plan.wholeData = this->commonSteps->wholeData;
 }
 
@@ -247,8 +247,8 @@ void RayMarcher::SearchSteps(const Frame& frame, MarchPlan& plan)
   plan.integration = this->tolerance.Choice()->integration;
   plan.light = this->tolerance.Choice()->light;
   // Shaders that count fetches may draw with steps that were found with packets.
-  plan.sampleDistanceMm = std::max(
-    this->tolerance.SampleDistanceInViewMm(), ShortestDistanceWithSkyMm(frame, plan.marcher));
+  plan.sampleDistanceMm =
+    std::max(this->foundStep->sampleDistance, ShortestDistanceWithSkyMm(frame, plan.marcher));
 }
 
 // An observer may stop the search between two trial images, and within one that packets march.

@@ -88,6 +88,7 @@ SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)
   facts.hasLight = march.settings.shading || march.settings.occlusion;
   facts.isShaded = march.settings.shading;
   facts.keepsLight = volume.Light().HasLattices() || !march.frame.others.empty();
+  facts.hasFineSky = volume.Light().HasFineSky();
   facts.lightOfLimit = march.plan.budget.LightOfLimit();
   facts.looksForPeaks = march.settings.blend == Blend::Composite &&
     march.plan.triesPreIntegration && IsOpacityOfValues(march.settings);

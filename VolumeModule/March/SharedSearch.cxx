@@ -63,7 +63,7 @@ void ForEachFact(Facts& facts, Merge& merge)
 {
   auto& [limit, range, firstMm, usual, choosesIntegration, preIntegratesByTable, hasLight, isShaded,
     looksForPeaks, hasNarrowPeaks, losesByTable, hasNodesInTable, mayPreIntegrate, keepsLight,
-    lightOfLimit, preIntegrationCost] = facts;
+    hasFineSky, lightOfLimit, preIntegrationCost] = facts;
   auto& [percentile999, largest] = limit;
   auto& [coarsest, finest, isOfHalfOctaves] = range;
   merge.Least(percentile999);
@@ -83,6 +83,7 @@ void ForEachFact(Facts& facts, Merge& merge)
   merge.IfAny(hasNodesInTable);
   merge.IfAll(mayPreIntegrate);
   merge.IfAny(keepsLight);
+  merge.IfAll(hasFineSky);
   merge.Least(lightOfLimit);
   merge.Greatest(preIntegrationCost);
 }
@@ -159,32 +160,35 @@ void MergeNumbers(std::vector<double>& least, const std::vector<double>& numbers
 using SearchMessage = std::vector<double>;
 constexpr double DrawsTrial = 1.0;
 constexpr double EndsSearch = 0.0;
-constexpr std::size_t SearchMessageLength = 7;
+constexpr std::size_t SearchMessageLength = 8;
 
 SearchMessage MessageOf(const TrialImage& image)
 {
   return { DrawsTrial, double(image.integration), image.sampleDistanceMm, double(image.isLit),
-    double(image.hasSmallTable), image.light.latticePart, image.light.sampleDistanceMm };
+    double(image.hasSmallTable), image.light.latticePart, image.light.sampleDistanceMm,
+    double(image.light.isFine) };
 }
 
 TrialImage ImageOf(const SearchMessage& message)
 {
   return { Integration(int(message[1])), message[2], message[3] != 0.0, message[4] != 0.0, false,
-    { message[5], message[6] } };
+    { message[5], message[6], message[7] != 0.0 } };
 }
 
 SearchMessage MessageOf(const std::optional<CommonSteps>& found)
 {
   return found ? SearchMessage{ EndsSearch, found->step.sampleDistance, found->step.error,
-    found->step.ofLimit, double(found->isPreIntegrated), found->latticePart, 0.0 }
+    found->step.ofLimit, double(found->isPreIntegrated), found->light.latticePart,
+    found->light.sampleDistanceMm, double(found->light.isFine) }
                : SearchMessage(SearchMessageLength, EndsSearch);
 }
 
 std::optional<CommonSteps> StepsOf(const SearchMessage& message)
 {
-  return message[1] > 0.0 ? std::optional<CommonSteps>({ { message[1], message[2], message[3] },
-                              message[4] != 0.0, message[5], {} })
-                          : std::nullopt;
+  return message[1] > 0.0
+    ? std::optional<CommonSteps>({ { message[1], message[2], message[3] }, message[4] != 0.0,
+        { message[5], message[6], message[7] != 0.0 }, {} })
+    : std::nullopt;
 }
 
 // The longest of a few distances that is not above another. Where parts meet, their segments end,
@@ -222,8 +226,7 @@ std::optional<CommonSteps> LeadSearch(
   try
   {
     const ToleranceChoice choice = ToleranceSearch::ChooseAnew(facts, draw);
-    found = { choice.step, choice.integration == Integration::PreIntegrated,
-      choice.light.latticePart, {} };
+    found = { choice.step, choice.integration == Integration::PreIntegrated, choice.light, {} };
     found->step.sampleDistance = RoundedDown(choice.step.sampleDistance, facts);
   }
   catch (const std::exception&)

@@ -201,22 +201,53 @@ std::optional<ToleranceChoice> ToleranceSearch::ChooseByLastRule(
 
 // All trial images of a search with lattices share their error. So one image more is drawn without
 // them, with the light of steps that are shorter by the factor at which a search compares images.
-// The error falls with the differences that are allowed between the nodes of a cell, unless the
-// light is wrong at the nodes themselves.
+// Where lattices are not exact enough, others of their light ask for other steps.
 template <class Choose>
 ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
 {
-  ToleranceChoice choice = choose(trial);
+  const auto chooseIn = [&](const LightSource& light)
+  {
+    trial.light = light;
+    ToleranceChoice choice = choose(trial);
+    choice.light = light;
+    return choice;
+  };
+  ToleranceChoice choice = chooseIn({});
   if (!trial.facts.keepsLight)
   {
     return choice;
   }
+  const double most = trial.facts.lightOfLimit;
+  double ofLimit = KeptLightOfLimit(trial, choice);
+  if (ofLimit > most)
+  {
+    const std::optional<LightSource> exact = ExactLight(trial, choice, ofLimit);
+    choice = exact ? chooseIn(*exact) : choice;
+    ofLimit = exact ? KeptLightOfLimit(trial, choice) : ofLimit;
+  }
+  if (ofLimit > most)
+  {
+    return chooseIn({ 0.0, 0.0 });
+  }
+  choice.step.error += ofLimit * trial.facts.limit.percentile999;
+  return choice;
+}
+
+// The error falls with the distance of nodes, and with the differences that are allowed between the
+// nodes of a cell, unless the light is wrong at the nodes themselves.
+std::optional<LightSource> ToleranceSearch::ExactLight(
+  Trial& trial, ToleranceChoice choice, double ofLimit)
+{
   constexpr double LeastPart = 1.0 / 32.0;
   constexpr double Caution = 0.6; // the error falls less than the differences
   constexpr double LargestCut = 1.0 / 8.0;
   constexpr double LeastGain = 0.7;
   const double most = trial.facts.lightOfLimit;
-  double ofLimit = KeptLightOfLimit(trial, choice);
+  if (trial.facts.hasFineSky)
+  {
+    choice.light.isFine = true;
+    ofLimit = KeptLightOfLimit(trial, choice);
+  }
   while (ofLimit > most && choice.light.latticePart > LeastPart)
   {
     choice.light.latticePart *= std::max(Caution * most / ofLimit, LargestCut);
@@ -227,15 +258,7 @@ ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
       break; // the nodes are wrong
     }
   }
-  if (ofLimit <= most)
-  {
-    choice.step.error += ofLimit * trial.facts.limit.percentile999;
-    return choice;
-  }
-  trial.light = { 0.0, 0.0 };
-  choice = choose(trial);
-  choice.light = trial.light;
-  return choice;
+  return ofLimit <= most ? std::optional<LightSource>(choice.light) : std::nullopt;
 }
 
 double ToleranceSearch::KeptLightOfLimit(Trial& trial, const ToleranceChoice& choice)

@@ -86,6 +86,10 @@ private:
   /// @param choose  (trial), searches the steps
   template <class Choose>
   static ToleranceChoice ChooseWithLight(Trial& trial, Choose choose);
+  /// A way to light in lattices that is exact enough for a choice; none if there is none.
+  /// @param ofLimit  the error of the light of the choice
+  static std::optional<LightSource> ExactLight(
+    Trial& trial, ToleranceChoice choice, double ofLimit);
   /// The error of light that is interpolated in lattices.
   static double KeptLightOfLimit(Trial& trial, const ToleranceChoice& choice);
   /// True if light in lattices is exact enough; adds its error to the choice.

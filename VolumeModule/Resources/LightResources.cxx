@@ -141,7 +141,7 @@ void LightResources::KeepLattices(const VolumeMarch& march, std::vector<Kept>& n
       // The mean over the cone of a soft light is of products, and so no product of means.
       if (place.w == 0.0f || LatticesOfALight(march) == 1.0)
       {
-        ofPart.nodes[light] = this->KeepNodes(std::move(inputs), ofPart.shape, now);
+        ofPart.nodes[light] = this->KeepNodes(std::move(inputs), ofPart.shape, {}, now);
       }
     }
   }
@@ -181,7 +181,8 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   this->sky.agreement = SkyAgreement;
   Fingerprint inputs(
     InputsOf(march), strength, march.frame.material.occlusionReachMm, march.frame.occluders);
-  this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape, now);
+  this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape,
+    LightLattice::FineShapeOfSky(march.frame.geometry.dimensions), now);
 }
 
 PacketShadows LightResources::Shadows(const VolumeMarch& march, int part) const
@@ -203,7 +204,17 @@ PacketSky LightResources::Sky(const VolumeMarch& march) const
     float(march.plan.budget.HasTolerance() ? march.plan.OcclusionStepMm(voxelMm)
                                            : std::min(voxelMm, march.plan.sampleDistanceMm));
   ofMarch.agreement *= float(march.plan.light.latticePart);
-  ofMarch.nodes = march.plan.light.IsTraced() ? nullptr : ofMarch.nodes;
+  if (march.plan.light.IsTraced())
+  {
+    ofMarch.nodes = nullptr;
+  }
+  else if (march.plan.light.isFine && this->HasFineSky())
+  {
+    const LightLattice& fine = this->kept.back().fine;
+    ofMarch.nodes = fine.Nodes();
+    ofMarch.shape = fine.Shape();
+    ofMarch.nodeStepMm *= fine.Shape().voxelsPerNode;
+  }
   return ofMarch;
 }
 
@@ -249,8 +260,8 @@ void LightResources::Release(vtkWindow* window)
 }
 
 // The nodes of a lattice that is kept, or of an empty one.
-std::uint8_t* LightResources::KeepNodes(
-  Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now)
+std::uint8_t* LightResources::KeepNodes(Fingerprint inputs, const LatticeShape& shape,
+  const LatticeShape& fineShape, std::vector<Kept>& now)
 {
   const auto found = std::find_if(
     this->kept.begin(), this->kept.end(), [&](const Kept& own) { return own.inputs == inputs; });
@@ -260,7 +271,7 @@ std::uint8_t* LightResources::KeepNodes(
   }
   else
   {
-    now.push_back({ std::move(inputs), LightLattice(shape) });
+    now.push_back({ std::move(inputs), LightLattice(shape), LightLattice(fineShape) });
     ++this->builds;
   }
   return now.back().lattice.Nodes();
@@ -271,7 +282,7 @@ std::size_t LightResources::Bytes() const
   std::size_t bytes = 0;
   for (const Kept& one : this->kept)
   {
-    bytes += one.lattice.Bytes();
+    bytes += one.lattice.Bytes() + one.fine.Bytes();
   }
   return bytes;
 }

@@ -12,6 +12,8 @@ namespace
 
 constexpr int FewestNodes = 2;
 
+constexpr int SkyMargin = LightLattice::SkyDistanceVoxels + 1;
+
 std::size_t BytesFor(const glm::ivec3& count)
 {
   const bool hasCells = count.x >= FewestNodes && count.y >= FewestNodes && count.z >= FewestNodes;
@@ -34,33 +36,57 @@ LatticeShape LightLattice::ShapeOfLight(const glm::ivec3& voxelCount)
   {
     voxelsPerNode *= 2;
   }
-  return { voxelCount / voxelsPerNode, voxelsPerNode, 0 };
+  return { voxelCount / voxelsPerNode, float(voxelsPerNode), 0 };
 }
 
 LatticeShape LightLattice::ShapeOfSky(const glm::ivec3& voxelCount)
 {
-  constexpr int Margin = SkyDistanceVoxels + 1;
-  LatticeShape shape = { voxelCount + 2 * Margin, 1, Margin };
-  while (!CanBeNumbered(shape.nodeCount))
+  int voxelsPerNode = 1;
+  glm::ivec3 nodeCount = voxelCount + 2 * SkyMargin;
+  while (!CanBeNumbered(nodeCount))
   {
-    shape.voxelsPerNode *= 2;
-    shape.nodeCount = (voxelCount + 2 * Margin) / shape.voxelsPerNode + 1;
+    voxelsPerNode *= 2;
+    nodeCount = (voxelCount + 2 * SkyMargin) / voxelsPerNode + 1;
   }
-  return shape;
+  return { nodeCount, float(voxelsPerNode), SkyMargin };
+}
+
+LatticeShape LightLattice::FineShapeOfSky(const glm::ivec3& voxelCount)
+{
+  const glm::ivec3 nodeCount = 2 * (voxelCount + 2 * SkyMargin - 1) + 1;
+  return CanBeNumbered(nodeCount) ? LatticeShape{ nodeCount, 0.5f, SkyMargin } : LatticeShape{};
+}
+
+LightLattice::LightLattice(const LatticeShape& shape)
+  : shape(shape)
+{
 }
 
 // calloc takes zeros from the system page by page, when they are written.
-LightLattice::LightLattice(const LatticeShape& shape)
-  : shape(shape)
-  , bytes(BytesFor(shape.nodeCount))
-  , nodes(this->bytes > 0 ? static_cast<std::uint8_t*>(std::calloc(this->bytes, 1)) : nullptr)
+std::uint8_t* LightLattice::Nodes() const
 {
-  if (this->bytes > 0 && !this->nodes)
+  if (!this->nodes && this->HasCells())
   {
-    throw std::runtime_error("Light: expected " + std::to_string(this->bytes) +
-      " bytes of memory for a lattice of light, found none; close other programs, or switch "
-      "shadows and ambient occlusion off");
+    const std::size_t bytes = BytesFor(this->shape.nodeCount);
+    this->nodes.reset(static_cast<std::uint8_t*>(std::calloc(bytes, 1)));
+    if (!this->nodes)
+    {
+      throw std::runtime_error("Light: expected " + std::to_string(bytes) +
+        " bytes of memory for a lattice of light, found none; close other programs, or switch "
+        "shadows and ambient occlusion off");
+    }
   }
+  return this->nodes.get();
+}
+
+bool LightLattice::HasCells() const
+{
+  return BytesFor(this->shape.nodeCount) > 0;
+}
+
+std::size_t LightLattice::Bytes() const
+{
+  return this->nodes ? BytesFor(this->shape.nodeCount) : 0;
 }
 
 }
