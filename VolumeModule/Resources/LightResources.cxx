@@ -141,7 +141,7 @@ void LightResources::KeepLattices(const VolumeMarch& march, std::vector<Kept>& n
       // The mean over the cone of a soft light is of products, and so no product of means.
       if (place.w == 0.0f || LatticesOfALight(march) == 1.0)
       {
-        ofPart.nodes[light] = this->KeepNodes(std::move(inputs), ofPart.shape, {}, now);
+        ofPart.nodes[light] = this->KeepNodes(std::move(inputs), ofPart.shape, now);
       }
     }
   }
@@ -169,7 +169,6 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
     this->sky.mostDepth = MostDepthOfTraced;
     return;
   }
-  this->sky.nodeStepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * OccluderVoxelMm(march));
   this->sky.mostDepth = float(-std::log(error));
   // Light through blocks of other levels is other light.
   if (march.plan.marcher == Marcher::Device || !march.frame.settings.occlusion ||
@@ -177,12 +176,20 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   {
     return;
   }
-  this->sky.shape = LightLattice::ShapeOfSky(march.frame.geometry.dimensions);
   this->sky.agreement = SkyAgreement;
   Fingerprint inputs(
     InputsOf(march), strength, march.frame.material.occlusionReachMm, march.frame.occluders);
-  this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape,
-    LightLattice::FineShapeOfSky(march.frame.geometry.dimensions), now);
+  const double nodeStepMm = NodeStepVoxels(ErrorOfOneRay * error) * OccluderVoxelMm(march);
+  const glm::ivec3& voxels = march.frame.geometry.dimensions;
+  std::size_t i = 0;
+  for (const LatticeShape& shape :
+    { LightLattice::ShapeOfSky(voxels), LightLattice::FineShapeOfSky(voxels) })
+  {
+    Fingerprint ofLattice = inputs;
+    ofLattice.Add(shape.voxelsPerNode);
+    this->sky.lattices[i++] = { this->KeepNodes(std::move(ofLattice), shape, now), shape,
+      float(std::min(1.0, double(shape.voxelsPerNode)) * nodeStepMm) };
+  }
 }
 
 PacketShadows LightResources::Shadows(const VolumeMarch& march, int part) const
@@ -204,17 +211,10 @@ PacketSky LightResources::Sky(const VolumeMarch& march) const
     float(march.plan.budget.HasTolerance() ? march.plan.OcclusionStepMm(voxelMm)
                                            : std::min(voxelMm, march.plan.sampleDistanceMm));
   ofMarch.agreement *= float(march.plan.light.latticePart);
-  if (march.plan.light.IsTraced())
-  {
-    ofMarch.nodes = nullptr;
-  }
-  else if (march.plan.light.isFine && this->HasFineSky())
-  {
-    const LightLattice& fine = this->kept.back().fine;
-    ofMarch.nodes = fine.Nodes();
-    ofMarch.shape = fine.Shape();
-    ofMarch.nodeStepMm *= fine.Shape().voxelsPerNode;
-  }
+  auto& [coarse, fine] = ofMarch.lattices;
+  fine.nodes = march.plan.light.IsTraced() ? nullptr : fine.nodes;
+  const bool leavesOutCoarse = march.plan.light.isFine && fine.nodes;
+  coarse.nodes = march.plan.light.IsTraced() || leavesOutCoarse ? nullptr : coarse.nodes;
   return ofMarch;
 }
 
@@ -260,8 +260,8 @@ void LightResources::Release(vtkWindow* window)
 }
 
 // The nodes of a lattice that is kept, or of an empty one.
-std::uint8_t* LightResources::KeepNodes(Fingerprint inputs, const LatticeShape& shape,
-  const LatticeShape& fineShape, std::vector<Kept>& now)
+std::uint8_t* LightResources::KeepNodes(
+  Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now)
 {
   const auto found = std::find_if(
     this->kept.begin(), this->kept.end(), [&](const Kept& own) { return own.inputs == inputs; });
@@ -271,7 +271,7 @@ std::uint8_t* LightResources::KeepNodes(Fingerprint inputs, const LatticeShape& 
   }
   else
   {
-    now.push_back({ std::move(inputs), LightLattice(shape), LightLattice(fineShape) });
+    now.push_back({ std::move(inputs), LightLattice(shape) });
     ++this->builds;
   }
   return now.back().lattice.Nodes();
@@ -282,7 +282,7 @@ std::size_t LightResources::Bytes() const
   std::size_t bytes = 0;
   for (const Kept& one : this->kept)
   {
-    bytes += one.lattice.Bytes() + one.fine.Bytes();
+    bytes += one.lattice.Bytes();
   }
   return bytes;
 }

@@ -17,10 +17,11 @@ namespace varimarch
 /// of the light from all around, which packets of rays fill while they draw. A lattice is kept as
 /// long as its light, the volume and its opacities stay, whatever the view. There are none without
 /// an error tolerance, and none of shadows where a voxel may be all but opaque: they are then
-/// thinner than the cells of a lattice. Light from all around has a finer lattice too, for matter
-/// that changes within a voxel. A march chooses between them, and may leave them out (LightSource),
-/// which shows their error. Volumes that overlap have lattices of their own, whose light is
-/// multiplied; only ambient occlusion, which knows no product, takes all of them into account.
+/// thinner than the cells of a lattice. Light from all around has a finer lattice too, for places
+/// at which the coarser one tells too little; a march may take all light from the finer one, or
+/// leave them out (LightSource), which shows their error. Volumes that overlap have lattices of
+/// their own, whose light is multiplied; only ambient occlusion, which knows no product, takes all
+/// of them into account.
 class LightResources
 {
 public:
@@ -43,7 +44,7 @@ public:
   /// True if a march may take light from a lattice.
   bool HasLattices() const { return !this->kept.empty(); }
   /// True if light from all around may be taken from a finer lattice.
-  bool HasFineSky() const { return this->sky.nodes && this->kept.back().fine.HasCells(); }
+  bool HasFineSky() const { return this->sky.lattices.back().nodes; }
 
   /// The directions of ambient occlusion.
   MarchTexture SkyDirections() const { return this->directions.Texture(); }
@@ -58,12 +59,11 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  /// The lattices of a light.
+  /// A lattice of a light.
   struct Kept
   {
     Fingerprint inputs; ///< Everything that its light depends on.
     LightLattice lattice;
-    LightLattice fine; ///< A finer one of the light from all around.
   };
 
   void UpdateShadows(
@@ -72,8 +72,7 @@ private:
   void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateDirections(const VolumeMarch& march);
   void UpdateSums(const VolumeMarch& march, const MaterialResources& materials);
-  std::uint8_t* KeepNodes(Fingerprint inputs, const LatticeShape& shape,
-    const LatticeShape& fineShape, std::vector<Kept>& now);
+  std::uint8_t* KeepNodes(Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now);
 
   std::vector<Kept> kept;
   int builds = 0;

@@ -53,40 +53,23 @@ LatticeShape LightLattice::ShapeOfSky(const glm::ivec3& voxelCount)
 
 LatticeShape LightLattice::FineShapeOfSky(const glm::ivec3& voxelCount)
 {
+  constexpr std::size_t MostBytes = std::size_t(1) << 30;
   const glm::ivec3 nodeCount = 2 * (voxelCount + 2 * SkyMargin - 1) + 1;
-  return CanBeNumbered(nodeCount) ? LatticeShape{ nodeCount, 0.5f, SkyMargin } : LatticeShape{};
-}
-
-LightLattice::LightLattice(const LatticeShape& shape)
-  : shape(shape)
-{
+  return { BytesFor(nodeCount) <= MostBytes ? nodeCount : glm::ivec3(0), 0.5f, SkyMargin };
 }
 
 // calloc takes zeros from the system page by page, when they are written.
-std::uint8_t* LightLattice::Nodes() const
+LightLattice::LightLattice(const LatticeShape& shape)
+  : shape(shape)
+  , bytes(BytesFor(shape.nodeCount))
+  , nodes(this->bytes > 0 ? static_cast<std::uint8_t*>(std::calloc(this->bytes, 1)) : nullptr)
 {
-  if (!this->nodes && this->HasCells())
+  if (this->bytes > 0 && !this->nodes)
   {
-    const std::size_t bytes = BytesFor(this->shape.nodeCount);
-    this->nodes.reset(static_cast<std::uint8_t*>(std::calloc(bytes, 1)));
-    if (!this->nodes)
-    {
-      throw std::runtime_error("Light: expected " + std::to_string(bytes) +
-        " bytes of memory for a lattice of light, found none; close other programs, or switch "
-        "shadows and ambient occlusion off");
-    }
+    throw std::runtime_error("Light: expected " + std::to_string(this->bytes) +
+      " bytes of memory for a lattice of light, found none; close other programs, or switch "
+      "shadows and ambient occlusion off");
   }
-  return this->nodes.get();
-}
-
-bool LightLattice::HasCells() const
-{
-  return BytesFor(this->shape.nodeCount) > 0;
-}
-
-std::size_t LightLattice::Bytes() const
-{
-  return this->nodes ? BytesFor(this->shape.nodeCount) : 0;
 }
 
 }

@@ -14,15 +14,14 @@ namespace varimarch
 /// The places of the nodes of a lattice: node n is at voxel voxelsPerNode * n - margin.
 struct LatticeShape
 {
-  glm::ivec3 nodeCount =
-    glm::ivec3(0);            ///< at least 2 along each axis; else there are no cells of nodes
-  float voxelsPerNode = 1.0f; ///< a power of two
-  int margin = 0; ///< voxels by which the lattice begins before the volume, along each axis
+  glm::ivec3 nodeCount; ///< at least 2 along each axis; else there are no cells of nodes
+  float voxelsPerNode;  ///< a power of two
+  int margin;           ///< voxels by which the lattice begins before the volume, along each axis
 };
 
 /// The part of one light that reaches the nodes of a lattice in a volume, one byte each. Rays that
 /// need a node fill it; since its light depends on nothing else, it does not matter which of them
-/// does. Holds no memory before it is used, nor for pages in which no node is filled.
+/// does. Holds no memory for pages in which no node is filled.
 class LightLattice
 {
 public:
@@ -45,18 +44,17 @@ public:
   static LatticeShape ShapeOfSky(const glm::ivec3& voxelCount);
 
   /// The same with nodes half a voxel apart, for matter that changes within a voxel. It has no
-  /// cells where 32 bits cannot number so many nodes.
+  /// nodes if they would take more than 1 GiB.
   static LatticeShape FineShapeOfSky(const glm::ivec3& voxelCount);
 
-  /// An empty lattice; by default one without cells.
-  explicit LightLattice(const LatticeShape& shape = {});
+  /// An empty lattice.
+  /// @throws std::runtime_error if there is no memory
+  explicit LightLattice(const LatticeShape& shape);
 
   /// The nodes, x fastest; null without cells.
-  /// @throws std::runtime_error if there is no memory
-  std::uint8_t* Nodes() const;
+  std::uint8_t* Nodes() { return this->nodes.get(); }
   const LatticeShape& Shape() const { return this->shape; }
-  bool HasCells() const;
-  std::size_t Bytes() const; ///< The bytes of its nodes, if it is used.
+  std::size_t Bytes() const { return this->bytes; }
 
 private:
   struct Free
@@ -65,7 +63,8 @@ private:
   };
 
   LatticeShape shape;
-  mutable std::unique_ptr<std::uint8_t, Free> nodes; ///< Null before they are used.
+  std::size_t bytes;
+  std::unique_ptr<std::uint8_t, Free> nodes;
 };
 
 }
