@@ -144,9 +144,10 @@ struct VoxelsAmongOthers
   AllConstituents all;
 };
 
-/// The optical depth of all constituents from places on, in the grid of one of them.
+/// The optical depth of all constituents from places on, in the grid of one of them. Segments in
+/// each are as long as its voxels ask for.
 inline Lanes SkyDepth(const PacketScene& scene, const VoxelsAmongOthers& voxels, int direction,
-  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
+  const Lanes3& placeGrid, LaneMask mask, float longestMm)
 {
   Lanes depth = {};
   for (int i = 0; i < voxels.all.Count(); ++i)
@@ -158,7 +159,8 @@ inline Lanes SkyDepth(const PacketScene& scene, const VoxelsAmongOthers& voxels,
     }
     const PacketScene& other = voxels.all[i];
     const Lanes own = SkyDepth(other, AnyVoxels(other), direction,
-      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts, isOfNodes);
+      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts,
+      longestMm * other.sky.stepMm / scene.sky.stepMm);
     depth = depth + Select(counts, own, Lanes{});
   }
   return depth;
