@@ -46,7 +46,7 @@ struct LitPlaces
   }
 
   /// Between the places at which the light is known, it is linear. Places in opaque matter may be
-  /// closer than floats tell apart.
+  /// closer than floats tell apart, and one may lie beyond the next, where an interval ends early.
   void SetOthers(int lane)
   {
     int known = -1;
@@ -63,7 +63,8 @@ struct LitPlaces
         const float from = this->t[known < 0 ? other : known][lane];
         const float span = this->t[place][lane] - from;
         const float along = span > 0.0f ? (this->t[other][lane] - from) / span : 1.0f;
-        this->light[other][lane] = before + along * (found - before);
+        const float inside = along < 0.0f ? 0.0f : along > 1.0f ? 1.0f : along;
+        this->light[other][lane] = before + inside * (found - before);
       }
       known = place;
     }
