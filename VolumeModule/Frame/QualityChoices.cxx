@@ -53,8 +53,9 @@ ErrorBudget BudgetOf(
   budget.tolerance = mapper->GetAutoAdjustSampleDistances() ? numbers.errorTolerance : 0.0;
   budget.windowScale = frame.image.windowScaleBias.x;
   budget.isExtreme = IsExtreme(frame.settings.blend);
-  // Boxes are marched from face to face, but light is sampled in them.
-  budget.isSampled = IsSampled(frame.settings) || frame.settings.shadows;
+  // Boxes are marched from face to face, but the light in them is sampled, or that of lattices.
+  budget.isSampled =
+    IsSampled(frame.settings) || IsInWayOfLights(frame.settings) || IsInWayOfSky(frame.settings);
   budget.isOccluded = frame.settings.occlusion;
   return budget;
 }

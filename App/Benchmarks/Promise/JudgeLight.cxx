@@ -241,7 +241,7 @@ void JudgeLight::AddLamp(
 }
 
 // Ambient occlusion: light is seen from two voxels outside of a surface, on the side on which there
-// is less matter a voxel away.
+// is less matter a voxel away. No matter has values beyond those of the voxels.
 double JudgeLight::KeptAt(const JudgePlace& place) const
 {
   const JudgeVolume& volume = this->scene.volumes[std::size_t(place.volume)];
@@ -250,13 +250,18 @@ double JudgeLight::KeptAt(const JudgePlace& place) const
   const double change = glm::length(gradient);
   const JudgeLook& look = volume.looks[std::size_t(span.look)];
   const double value = ValueOf(span.value, place.u);
-  const auto matter = [&](double other) { return look.Opacity(look[look.BandOf(other)], other); };
+  const auto matter = [&](double wanted)
+  {
+    const double other = std::clamp(wanted, volume.leastValue, volume.mostValue);
+    return look.Opacity(look[look.BandOf(other)], other);
+  };
   glm::dvec3 grid(volume.gridFromWorld * glm::dvec4(place.world, 1.0));
   grid = volume.isNearest ? glm::dvec3(span.cell) : grid;
   if (change > 0.0)
   {
     constexpr double OutsideVoxels = 2.0;
-    const bool isThinnerUp = matter(value + change) < matter(value - change);
+    constexpr double Rounding = 1e-9; // where both sides have as much matter, it is that below
+    const bool isThinnerUp = matter(value + change) < matter(value - change) - Rounding;
     grid += (isThinnerUp ? OutsideVoxels : -OutsideVoxels) / change * gradient;
   }
   const double seen = this->Visibility(glm::dvec3(volume.worldFromGrid * glm::dvec4(grid, 1.0)));

@@ -66,6 +66,9 @@ void JudgeVolume::Prepare(bool needsGradients)
   {
     this->diagonalMm = std::max(this->diagonalMm, glm::length(axes * (extent * signs)));
   }
+  const auto [least, most] = std::minmax_element(this->voxels.begin(), this->voxels.end());
+  this->leastValue = *least;
+  this->mostValue = *most;
   constexpr double MostPerVoxel = 3e4;
   this->mostExtinction = MostPerVoxel / this->smallestSpacingMm;
   for (std::size_t i = 0; i < this->voxels.size(); ++i)

@@ -90,8 +90,10 @@ private:
   {
     const Lanes movedMm =
       Length(Transformed(this->scene.parameters.worldFromGrid, placeGrid - this->lastGrid));
-    const float longestMm = 0.5f * this->scene.sky.stepMm;
-    const LaneMask follows = this->isKnown & LaneMask(movedMm < longestMm);
+    // The light of boxes of voxels jumps.
+    const bool isOfBoxes = this->scene.rule == PacketRule::MaterialVoxels;
+    const float longestMm = isOfBoxes ? 0.0f : 0.5f * this->scene.sky.stepMm;
+    const LaneMask follows = this->isKnown & LaneMask(movedMm <= longestMm);
     if (!Any(mask & ~follows))
     {
       return Clamp(this->lastOpen + movedMm * this->changePerMm, 0.0f, 1.0f);
