@@ -44,7 +44,7 @@ int Kills()
 
 // A volume that takes a few milliseconds to write. It is made without threads, which a forked
 // process would lack.
-LoadedVolume Volume(int version)
+LoadedVolume VolumeOf(int version)
 {
   LoadedVolume volume = { vtkSmartPointer<vtkImageData>::New(), "CT", {} };
   volume.image->SetDimensions(64, 64, 48);
@@ -317,7 +317,7 @@ TEST_P(KilledConverting, LeavesTheVolumeWhole)
 {
   const QString name = QString("a") + this->GetParam();
   this->KillWritingSameBytes(
-    name, [&](int version) { WriteVolume(Volume(version), this->Path(name).toStdString()); });
+    name, [&](int version) { WriteVolume(VolumeOf(version), this->Path(name).toStdString()); });
 }
 
 INSTANTIATE_TEST_SUITE_P(

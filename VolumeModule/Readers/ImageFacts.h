@@ -19,7 +19,7 @@ namespace varimarch
 // without them is one of which nothing is known.
 
 /// Keeps the facts about a volume with its image.
-void KeepFacts(const Volume& volume, vtkImageData* image);
+VARIMARCHVOLUME_EXPORT void KeepFacts(const Volume& volume, vtkImageData* image);
 
 /// True if the image is known to show a patient.
 VARIMARCHVOLUME_EXPORT bool ShowsPatient(vtkImageData* image);
