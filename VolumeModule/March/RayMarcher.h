@@ -131,6 +131,9 @@ public:
   std::size_t GraphicsMemoryBytes() const;
 
 private:
+  /// The part of the progress of a drawing that is the search for its steps.
+  static constexpr double PartOfSearch = 0.5;
+
   /// Updates the resources of a frame, and plans its march.
   MarchPlan Prepare(const Frame& frame, const std::optional<PictureQuality>& quality);
   void EnterWindow(vtkOpenGLRenderWindow* window);

@@ -171,23 +171,26 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
   }
   this->sky.mostDepth = float(-std::log(error));
   // Light through blocks of other levels is other light.
-  if (march.plan.marcher == Marcher::Device || !march.frame.settings.occlusion ||
-    march.plan.budget.LightError() < SkyCellError || march.frame.blockLevels)
+  if (march.plan.marcher != Marcher::Device && march.frame.settings.occlusion &&
+    march.plan.budget.LightError() >= SkyCellError && !march.frame.blockLevels)
   {
-    return;
+    this->sky.agreement = SkyAgreement;
+    this->KeepSkyLattices(
+      march, NodeStepVoxels(ErrorOfOneRay * error) * OccluderVoxelMm(march), now);
   }
-  this->sky.agreement = SkyAgreement;
-  Fingerprint inputs(
-    InputsOf(march), strength, march.frame.material.occlusionReachMm, march.frame.occluders);
-  const double nodeStepMm = NodeStepVoxels(ErrorOfOneRay * error) * OccluderVoxelMm(march);
+}
+
+void LightResources::KeepSkyLattices(
+  const VolumeMarch& march, double nodeStepMm, std::vector<Kept>& now)
+{
   const glm::ivec3& voxels = march.frame.geometry.dimensions;
   std::size_t i = 0;
   for (const LatticeShape& shape :
     { LightLattice::ShapeOfSky(voxels), LightLattice::FineShapeOfSky(voxels) })
   {
-    Fingerprint ofLattice = inputs;
-    ofLattice.Add(shape.voxelsPerNode);
-    this->sky.lattices[i++] = { this->KeepNodes(std::move(ofLattice), shape, now), shape,
+    Fingerprint inputs(InputsOf(march), march.frame.material.occlusion,
+      march.frame.material.occlusionReachMm, march.frame.occluders, shape.voxelsPerNode);
+    this->sky.lattices[i++] = { this->KeepNodes(std::move(inputs), shape, now), shape,
       float(std::min(1.0, double(shape.voxelsPerNode)) * nodeStepMm) };
   }
 }

@@ -70,6 +70,8 @@ private:
     const VolumeMarch& march, const MaterialResources& materials, std::vector<Kept>& now);
   void KeepLattices(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
+  /// @param nodeStepMm  the longest segment of rays from nodes a voxel apart
+  void KeepSkyLattices(const VolumeMarch& march, double nodeStepMm, std::vector<Kept>& now);
   void UpdateDirections(const VolumeMarch& march);
   void UpdateSums(const VolumeMarch& march, const MaterialResources& materials);
   std::uint8_t* KeepNodes(Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now);

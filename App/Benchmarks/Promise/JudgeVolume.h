@@ -59,8 +59,8 @@ struct JudgeVolume
 {
   glm::ivec3 size;
   std::vector<double> voxels;
-  double leastValue; ///< of all voxels
-  double mostValue;
+  double leastValue;                 ///< smallest of the voxels
+  double mostValue;                  ///< largest of them
   std::vector<glm::dvec3> gradients; ///< central differences per voxel; empty if not needed
   bool isNearest;
   glm::dmat4 worldFromGrid;
