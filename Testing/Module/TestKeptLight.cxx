@@ -160,3 +160,20 @@ TEST(KeptLight, BehindOpaqueMatterIsFinite)
     ASSERT_TRUE(std::isfinite(channel));
   }
 }
+
+// Rays through boxes of voxels have no steps. Below a tolerance of 1/128, all light is traced.
+TEST(KeptLight, OfOcclusionOfBoxesIsTried)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> value(0.0, 1.0);
+  FineMatter noise(
+    10, [&](int, int, int) { return value(random); }, { { 0.5, 0.0 }, { 0.7, 0.9 } });
+  noise.volume->GetProperty()->SetInterpolationTypeToNearest();
+  noise.Occlude(5.0);
+  const std::vector<float> drawn = noise.DrawByProcessor();
+  EXPECT_TRUE(noise.mapper->GetErrorToleranceIsKept());
+  noise.mapper->SetErrorTolerance(1.0 / 1024.0);
+  const std::vector<float> traced = noise.DrawByProcessor();
+  EXPECT_LT(
+    CompareImages(drawn.data(), traced.data(), traced.size() / 4).percentile999, 255.0 * Tolerance);
+}
