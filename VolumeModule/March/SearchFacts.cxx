@@ -54,6 +54,17 @@ bool IsOpacityOfValues(RenderSettings settings)
   return !MarchesMaterial(settings);
 }
 
+// Segments of rays to lights are as long as the square root of the sample distance, and those of
+// occlusion as its cube root, so that the error of light falls by the order 2 of its segments only.
+double SupposedOrderOf(const RenderSettings& settings)
+{
+  constexpr double OfShadows = 1.0;
+  constexpr double OfOcclusion = 2.0 / 3.0;
+  return IsInWayOfSky(settings) ? OfOcclusion
+    : IsInWayOfLights(settings) ? OfShadows
+                                : StepRange{}.supposedOrder;
+}
+
 StepRange RangeOf(const VolumeMarch& march)
 {
   const double voxelMm = SmallestSpacingMm(march.frame);
@@ -62,7 +73,8 @@ StepRange RangeOf(const VolumeMarch& march)
   // The search also draws at half of the finest distance.
   const double finestMm = std::max(
     FinestStepVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));
-  return { coarsestMm, std::min(finestMm, coarsestMm), !march.frame.voxelsFit };
+  return { coarsestMm, std::min(finestMm, coarsestMm), !march.frame.voxelsFit,
+    SupposedOrderOf(march.settings) };
 }
 
 }

@@ -18,12 +18,13 @@ void ForEachFact(Facts& facts, Merge& merge)
     looksForPeaks, hasNarrowPeaks, losesByTable, hasNodesInTable, mayPreIntegrate, keepsLight,
     hasFineSky, lightOfLimit, preIntegrationCost] = facts;
   auto& [percentile999, largest] = limit;
-  auto& [coarsest, finest, isOfHalfOctaves] = range;
+  auto& [coarsest, finest, isOfHalfOctaves, supposedOrder] = range;
   merge.Least(percentile999);
   merge.Least(largest);
   merge.Least(coarsest);
   merge.Greatest(finest);
   merge.IfAny(isOfHalfOctaves);
+  merge.Least(supposedOrder);
   merge.Least(firstMm);
   merge.Least(usual);
   merge.IfAll(choosesIntegration);

@@ -15,13 +15,12 @@ namespace varimarch
 namespace
 {
 
-// Assumed convergence order. The rules are second order, but trilinear data has kinks at cell
-// faces.
-constexpr double SupposedOrder = 1.6;
 // The order at surfaces that are all but opaque.
 constexpr double OrderAtOpaqueSurfaces = 1.0;
+// The most that the error of an image is estimated by.
+constexpr double MostSupposed = 1.6;
 // Bounds of the estimated order.
-constexpr double LeastOrder = 0.7;
+constexpr double LeastOrder = 0.6;
 constexpr double MostOrder = 3.0;
 
 // If an error is within these fractions of the limit, the power law predicts the distance at which
@@ -86,6 +85,8 @@ public:
     , range(range)
     , first(first)
     , exact(exact)
+    , leastOrder(std::min(OrderAtOpaqueSurfaces, range.supposedOrder))
+    , order(range.supposedOrder)
   {
   }
 
@@ -97,9 +98,9 @@ public:
 
   FoundSteps FindFrom(double earlier)
   {
-    this->order = OrderAtOpaqueSurfaces; // no other distance of this image has told its order
+    this->order = this->leastOrder; // no other distance of this image has told its order
     const Trial trial = this->Try(this->InRange(earlier));
-    this->order = SupposedOrder;
+    this->order = this->range.supposedOrder;
     if (trial.ofLimit >= LeastOfEarlier && trial.ofLimit <= MostOfLimit)
     {
       return this->Found(trial);
@@ -196,8 +197,8 @@ private:
         factor * FractionOfLimit(change, this->limit) };
     };
     // If the error falls more slowly than assumed, the finer distance has removed less of it.
-    this->UpdateOrder(trialOf(SupposedOrder));
-    return trialOf(std::clamp(this->order, OrderAtOpaqueSurfaces, SupposedOrder));
+    this->UpdateOrder(trialOf(MostSupposed));
+    return trialOf(std::clamp(this->order, this->leastOrder, MostSupposed));
   }
 
   void Keep(const Trial& trial) { (trial.ofLimit <= 1.0 ? this->keeps : this->fails) = trial; }
@@ -296,7 +297,8 @@ private:
   std::optional<Trial> keeps;                 ///< the longest distance so far that keeps the limit
   std::optional<Trial> fails;                 ///< the shortest distance so far that does not
   std::optional<Trial> last;
-  double order = SupposedOrder;
+  double leastOrder; ///< by which an estimated error falls
+  double order;
 };
 
 }

@@ -46,6 +46,9 @@ struct StepRange
   /// True if only halves of octaves from the first distance are drawn, of which the longest that
   /// keeps the limit is taken.
   bool isOfHalfOctaves = false;
+  /// The order by which errors are supposed to fall with the distance until two distances tell it.
+  /// The rules are of second order, but trilinear data has kinks at cell faces.
+  double supposedOrder = 1.6;
 };
 
 /// Draws some pixels of an image, always the same ones, at a sample distance; returns premultiplied
