@@ -241,7 +241,8 @@ void JudgeLight::AddLamp(
 }
 
 // Ambient occlusion: light is seen from two voxels outside of a surface, on the side on which there
-// is less matter a voxel away. No matter has values beyond those of the voxels.
+// is less matter a voxel away by more than a hundredth. No matter has values beyond those of the
+// voxels.
 double JudgeLight::KeptAt(const JudgePlace& place) const
 {
   const JudgeVolume& volume = this->scene.volumes[std::size_t(place.volume)];
@@ -253,15 +254,15 @@ double JudgeLight::KeptAt(const JudgePlace& place) const
   const auto matter = [&](double wanted)
   {
     const double other = std::clamp(wanted, volume.leastValue, volume.mostValue);
-    return look.Opacity(look[look.BandOf(other)], other);
+    return -std::log1p(-std::min(look.Opacity(look[look.BandOf(other)], other), 1.0));
   };
   glm::dvec3 grid(volume.gridFromWorld * glm::dvec4(place.world, 1.0));
   grid = volume.isNearest ? glm::dvec3(span.cell) : grid;
   if (change > 0.0)
   {
     constexpr double OutsideVoxels = 2.0;
-    constexpr double Rounding = 1e-9; // where both sides have as much matter, it is that below
-    const bool isThinnerUp = matter(value + change) < matter(value - change) - Rounding;
+    constexpr double Less = 0.99;
+    const bool isThinnerUp = matter(value + change) < Less * matter(value - change);
     grid += (isThinnerUp ? OutsideVoxels : -OutsideVoxels) / change * gradient;
   }
   const double seen = this->Visibility(glm::dvec3(volume.worldFromGrid * glm::dvec4(grid, 1.0)));

@@ -124,7 +124,8 @@ void Pixels::RefineOne(std::size_t i)
   JudgedPixel& one = this->pixels[i];
   int fineness = Judge::Coarse;
   bool isKnown = false;
-  while (!isKnown && fineness < Finest)
+  // A pixel is beyond the tolerance only by the finest judgement.
+  while ((!isKnown || one.error > tolerance) && fineness < Finest)
   {
     fineness = fineness == Judge::Coarse ? 1 : 2 * fineness;
     const glm::dvec4 finer = this->ColorAt(i, glm::dvec2(0.0), fineness);

@@ -26,8 +26,9 @@ glm::dvec3 OutsideOf(glm::dvec3 positionGrid, glm::dvec3 gradient, bool isThinne
 bool IsThinnerUp(
   double value, glm::dvec3 gradient, const std::function<double(double value)>& extinctionOf)
 {
+  constexpr double Less = 0.99;
   const double perVoxel = glm::length(gradient);
-  return extinctionOf(value + perVoxel) < extinctionOf(value - perVoxel);
+  return extinctionOf(value + perVoxel) < Less * extinctionOf(value - perVoxel);
 }
 
 double KeptLight(double visibility, double strength)

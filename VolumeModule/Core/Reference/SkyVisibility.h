@@ -37,7 +37,8 @@ private:
 /// @param isThinnerUp   see the function of this name
 glm::dvec3 OutsideOf(glm::dvec3 positionGrid, glm::dvec3 gradient, bool isThinnerUp);
 
-/// True if there would be less matter a voxel up a gradient than a voxel down it.
+/// True if there would be less matter a voxel up a gradient than a voxel down it, by more than a
+/// hundredth.
 /// @param gradient      per voxel
 /// @param extinctionOf  the extinction where the value is another
 bool IsThinnerUp(

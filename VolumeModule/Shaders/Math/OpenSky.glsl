@@ -7,12 +7,13 @@ float ChangePerVoxel(vec3 gradient)
 }
 
 // The way from a surface to the place that sees what is around it, two voxels along the gradient
-// [grid]: to the side on which there would be less matter if scalars went on as they change here.
+// [grid]: to the side on which there would be less matter if scalars went on as they change here,
+// and down where there would be the same but for a hundredth, so that rounding decides nothing.
 // @param above, below  the extinctions of the scalars a voxel up and down the gradient
 vec3 WayOutside(vec3 gradient, float above, float below)
 {
   float way = 2.0f * InverseLength(gradient);
-  return (above < below ? way : -way) * gradient;
+  return (above < 0.99f * below ? way : -way) * gradient;
 }
 
 // The part of its light that a place keeps. Matter that takes light gives back a part of it.
