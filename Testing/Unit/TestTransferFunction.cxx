@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -229,6 +230,21 @@ TEST(OpticalTable, AnOpaqueTipKeepsItsIntegralAndIsNoWall)
     integral += entry.a;
   }
   EXPECT_NEAR(integral, 1023.0, 1.0);
+}
+
+// Up to one entry before the end of a ramp, its extinction is finite.
+TEST(OpticalTable, ARampThatStaysOpaqueEndsWithinAThousandthOfItsValues)
+{
+  for (const std::vector<OpacityNode>& nodes :
+    { std::vector<OpacityNode>{ { 0.0, 0.0 }, { 1.0, 1.0 }, { 2.0, 1.0 } },
+      std::vector<OpacityNode>{ { 0.0, 1.0 }, { 1.0, 1.0 }, { 2.0, 0.0 } } })
+  {
+    const OpticalTable table = BuildOpticalTable(OpacityCurve(nodes), 0.0, 2.0);
+    const auto isFinite = [](const glm::vec4& entry) { return entry.a < 1e6f; };
+    const auto finite = std::count_if(table.entries.begin(), table.entries.end(), isFinite);
+    const double gap = (table.lastValue - table.firstValue) / double(table.entries.size() - 1);
+    EXPECT_GT(double(finite) * gap, 0.999);
+  }
 }
 
 TEST(OpticalTable, ALoneStepSeparatesTheValuesBesideIt)

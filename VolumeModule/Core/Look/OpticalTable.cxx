@@ -107,13 +107,18 @@ TableSpan SpanOf(const TransferFunction& transferFunction, ValueRange values)
   return span;
 }
 
-/// True if a curve rises to opacity 1, or falls from it, without a step.
+/// True if a curve rises to opacity 1 without a step and stays there, or falls from it.
 bool HasOpaqueRamp(const std::vector<OpacityNode>& nodes)
 {
-  for (std::size_t i = 1; i < nodes.size(); ++i)
+  const auto isOpaque = [&](std::ptrdiff_t i)
+  { return i < 0 || i >= std::ptrdiff_t(nodes.size()) || !(nodes[std::size_t(i)].opacity < 1.0); };
+  for (std::ptrdiff_t i = 1; i < std::ptrdiff_t(nodes.size()); ++i)
   {
-    const bool becomesOpaque = (nodes[i - 1].opacity < 1.0) != (nodes[i].opacity < 1.0);
-    if (becomesOpaque && !AreSidesOfStep(nodes[i - 1].value, nodes[i].value))
+    const bool isStep =
+      AreSidesOfStep(nodes[std::size_t(i) - 1].value, nodes[std::size_t(i)].value);
+    const bool rises = !isOpaque(i - 1) && isOpaque(i) && isOpaque(i + 1);
+    const bool falls = isOpaque(i - 2) && isOpaque(i - 1) && !isOpaque(i);
+    if (!isStep && (rises || falls))
     {
       return true;
     }
