@@ -54,15 +54,12 @@ bool IsOpacityOfValues(RenderSettings settings)
   return !MarchesMaterial(settings);
 }
 
-// Segments of rays to lights are as long as the square root of the sample distance, and those of
-// occlusion as its cube root, so that the error of light falls by the order 2 of its segments only.
+// Segments of rays to lights are as long as the square root of the sample distance, so that the
+// error of light falls by the first order of it.
 double SupposedOrderOf(const RenderSettings& settings)
 {
-  constexpr double OfShadows = 1.0;
-  constexpr double OfOcclusion = 2.0 / 3.0;
-  return IsInWayOfSky(settings) ? OfOcclusion
-    : IsInWayOfLights(settings) ? OfShadows
-                                : StepRange{}.supposedOrder;
+  constexpr double OfLight = 1.0;
+  return IsInWayOfSky(settings) || IsInWayOfLights(settings) ? OfLight : StepRange{}.supposedOrder;
 }
 
 StepRange RangeOf(const VolumeMarch& march)

@@ -25,7 +25,7 @@ class SearchWork
 {
 public:
   /// The time of processors that a search may take where light is dimmed [s].
-  static constexpr double MostSeconds = 16.0;
+  static constexpr double MostSeconds = 40.0;
 
   /// @param dimsLight  true if volumes dim the light
   /// @param isWanted   see MarchWork
