@@ -319,7 +319,7 @@ public:
   int GetBrickRangesBuilds();
   int GetFieldBuilds(); ///< does not count the same field for other ray directions
   int GetOpticalTableBuilds();
-  int GetLightLatticeBuilds(); ///< lattices that were begun: one for each light, two for occlusion
+  int GetLightLatticeBuilds();   ///< lattices that were begun, one for each light
   int GetGeometryShadowBuilds(); ///< tracings of the light on opaque geometry
   int GetShaderBuilds();
   int GetToleranceSearches();

@@ -183,16 +183,12 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
 void LightResources::KeepSkyLattices(
   const VolumeMarch& march, double nodeStepMm, std::vector<Kept>& now)
 {
-  const glm::ivec3& voxels = march.frame.geometry.dimensions;
-  std::size_t i = 0;
-  for (const LatticeShape& shape :
-    { LightLattice::ShapeOfSky(voxels), LightLattice::FineShapeOfSky(voxels) })
-  {
-    Fingerprint inputs(InputsOf(march), march.frame.material.occlusion,
-      march.frame.material.occlusionReachMm, march.frame.occluders, shape.voxelsPerNode);
-    this->sky.lattices[i++] = { this->KeepNodes(std::move(inputs), shape, now), shape,
-      float(std::min(1.0, double(shape.voxelsPerNode)) * nodeStepMm) };
-  }
+  // Filling the finer lattice takes longer than tracing in small images, so that none is made yet.
+  const LatticeShape shape = LightLattice::ShapeOfSky(march.frame.geometry.dimensions);
+  Fingerprint inputs(InputsOf(march), march.frame.material.occlusion,
+    march.frame.material.occlusionReachMm, march.frame.occluders);
+  this->sky.lattices[0] = { this->KeepNodes(std::move(inputs), shape, now), shape,
+    float(nodeStepMm) };
 }
 
 PacketShadows LightResources::Shadows(const VolumeMarch& march, int part) const
