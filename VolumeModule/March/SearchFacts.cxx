@@ -55,11 +55,11 @@ bool IsOpacityOfValues(RenderSettings settings)
 }
 
 // Segments of rays to lights are as long as the square root of the sample distance, so that the
-// error of light falls by the first order of it.
+// error of light falls by the first order of it. In occlusion that order makes searches too long.
 double SupposedOrderOf(const RenderSettings& settings)
 {
   constexpr double OfLight = 1.0;
-  return IsInWayOfSky(settings) || IsInWayOfLights(settings) ? OfLight : StepRange{}.supposedOrder;
+  return IsInWayOfLights(settings) && !IsInWayOfSky(settings) ? OfLight : StepRange{}.supposedOrder;
 }
 
 StepRange RangeOf(const VolumeMarch& march)
