@@ -79,7 +79,7 @@ TEST(LightOfLabels, KeepsTheErrorToleranceWithShadows)
 // The reference of other labels takes minutes.
 TEST(LightOfLabels, ThatLookLikeTheVolumeIsThatOfTheVolume)
 {
-  LitTorso torso(24);
+  LitTorso torso(12);
   vtkVolumeProperty* const property = torso.scene.volume->GetProperty();
   property->SetLabelColor(1, torso.scene.colors);
   property->SetLabelScalarOpacity(1, torso.scene.opacities);
