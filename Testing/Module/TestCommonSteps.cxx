@@ -144,8 +144,8 @@ TEST(CommonSteps, AreThoseOfTheLeaderOnAProcessWithoutParts)
 {
   MapperScene scene(SmallTorso());
   SharedSearch search;
-  const std::vector<double> end = { 0.0, 0.5, 0.01, 0.9, 1.0, 1.0, 0.0, 0.0 };
-  const std::vector<double> trial = { 1.0, 0.0, 0.25, 1.0, 0.0, 1.0, 0.25, 0.0 };
+  const std::vector<double> end = { 0.0, 0.5, 0.01, 0.9, 1.0, 1.0, 0.0 };
+  const std::vector<double> trial = { 1.0, 0.0, 0.25, 1.0, 0.0, 1.0, 0.25 };
   int messages = 0;
   int images = 0;
   SearchingProcesses processes;

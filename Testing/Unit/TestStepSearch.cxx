@@ -67,12 +67,12 @@ TEST(StepSearch, TheErrorAtTheDistanceFoundIsNearTheLimit)
   }
 }
 
-// One distance tells no order; light is supposed to fall by a slow one.
+// One distance tells no order; the error of light is supposed to fall by the first.
 TEST(StepSearch, AnErrorIsEstimatedByTheSupposedOrder)
 {
   int drawings = 0;
   StepRange range = Range;
-  range.supposedOrder = 2.0 / 3.0;
+  range.supposedOrder = 1.0;
   const PowerLaw law{ 0.005, range.supposedOrder, &drawings };
   EXPECT_NEAR(FirstThatKeeps({ 1.0 }, law, Limit, range, 1.0).error, 0.005, 0.0002);
 }

@@ -31,14 +31,13 @@ struct LightSource
   /// The sample distance that the steps of rays to lights and of ambient occlusion follow [mm]; 0
   /// for that of the image.
   double sampleDistanceMm = 0.0;
-  bool isFine = false; ///< True for the finer lattice of the light from all around.
 
   bool IsTraced() const { return !(this->latticePart > 0.0); }
 
   bool operator==(const LightSource& other) const
   {
     return this->latticePart == other.latticePart &&
-      this->sampleDistanceMm == other.sampleDistanceMm && this->isFine == other.isFine;
+      this->sampleDistanceMm == other.sampleDistanceMm;
   }
 };
 

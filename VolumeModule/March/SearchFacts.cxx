@@ -59,7 +59,7 @@ bool IsOpacityOfValues(RenderSettings settings)
 double SupposedOrderOf(const RenderSettings& settings)
 {
   constexpr double OfLight = 1.0;
-  return IsInWayOfLights(settings) && !IsInWayOfSky(settings) ? OfLight : StepRange{}.supposedOrder;
+  return IsInWayOfLights(settings) && !IsInWayOfSky(settings) ? OfLight : UsualOrder;
 }
 
 StepRange RangeOf(const VolumeMarch& march)
@@ -97,7 +97,6 @@ SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)
   facts.hasLight = march.settings.shading || march.settings.occlusion;
   facts.isShaded = march.settings.shading;
   facts.keepsLight = volume.Light().HasLattices() || !march.frame.others.empty();
-  facts.hasFineSky = volume.Light().HasFineSky();
   facts.lightOfLimit = march.plan.budget.LightOfLimit();
   facts.looksForPeaks = march.settings.blend == Blend::Composite &&
     march.plan.triesPreIntegration && IsOpacityOfValues(march.settings);

@@ -28,7 +28,6 @@ struct SearchFacts
   bool mayPreIntegrate = false; ///< False if the table's losses rule out pre-integration.
   /// True if light may be interpolated in lattices, whose error no sample distance shows.
   bool keepsLight = false;
-  bool hasFineSky = false;         ///< True if the light from all around has a finer lattice.
   double lightOfLimit = 0.0;       ///< The error that they may add, in parts of the limit.
   double preIntegrationCost = 1.0; ///< The cost of a pre-integrated step, in midpoint steps.
 };

@@ -16,7 +16,7 @@ void ForEachFact(Facts& facts, Merge& merge)
 {
   auto& [limit, range, firstMm, usual, choosesIntegration, preIntegratesByTable, hasLight, isShaded,
     looksForPeaks, hasNarrowPeaks, losesByTable, hasNodesInTable, mayPreIntegrate, keepsLight,
-    hasFineSky, lightOfLimit, preIntegrationCost] = facts;
+    lightOfLimit, preIntegrationCost] = facts;
   auto& [percentile999, largest] = limit;
   auto& [coarsest, finest, isOfHalfOctaves, supposedOrder] = range;
   merge.Least(percentile999);
@@ -37,7 +37,6 @@ void ForEachFact(Facts& facts, Merge& merge)
   merge.IfAny(hasNodesInTable);
   merge.IfAll(mayPreIntegrate);
   merge.IfAny(keepsLight);
-  merge.IfAll(hasFineSky);
   merge.Least(lightOfLimit);
   merge.Greatest(preIntegrationCost);
 }

@@ -71,35 +71,33 @@ void MergeNumbers(std::vector<double>& least, const std::vector<double>& numbers
 using SearchMessage = std::vector<double>;
 constexpr double DrawsTrial = 1.0;
 constexpr double EndsSearch = 0.0;
-constexpr std::size_t SearchMessageLength = 8;
+constexpr std::size_t SearchMessageLength = 7;
 
 SearchMessage MessageOf(const TrialImage& image)
 {
   return { DrawsTrial, double(image.integration), image.sampleDistanceMm, double(image.isLit),
-    double(image.hasSmallTable), image.light.latticePart, image.light.sampleDistanceMm,
-    double(image.light.isFine) };
+    double(image.hasSmallTable), image.light.latticePart, image.light.sampleDistanceMm };
 }
 
 TrialImage ImageOf(const SearchMessage& message)
 {
   return { Integration(int(message[1])), message[2], message[3] != 0.0, message[4] != 0.0, false,
-    { message[5], message[6], message[7] != 0.0 } };
+    { message[5], message[6] } };
 }
 
 SearchMessage MessageOf(const std::optional<CommonSteps>& found)
 {
-  return found ? SearchMessage{ EndsSearch, found->step.sampleDistance, found->step.error,
-    found->step.ofLimit, double(found->isPreIntegrated), found->light.latticePart,
-    found->light.sampleDistanceMm, double(found->light.isFine) }
-               : SearchMessage(SearchMessageLength, EndsSearch);
+  return found
+    ? SearchMessage{ EndsSearch, found->step.sampleDistance, found->step.error, found->step.ofLimit,
+        double(found->isPreIntegrated), found->light.latticePart, found->light.sampleDistanceMm }
+    : SearchMessage(SearchMessageLength, EndsSearch);
 }
 
 std::optional<CommonSteps> StepsOf(const SearchMessage& message)
 {
-  return message[1] > 0.0
-    ? std::optional<CommonSteps>({ { message[1], message[2], message[3] }, message[4] != 0.0,
-        { message[5], message[6], message[7] != 0.0 }, {} })
-    : std::nullopt;
+  return message[1] > 0.0 ? std::optional<CommonSteps>({ { message[1], message[2], message[3] },
+                              message[4] != 0.0, { message[5], message[6] }, {} })
+                          : std::nullopt;
 }
 
 // The longest of a few distances that is not above another. Where parts meet, their segments end,

@@ -233,8 +233,8 @@ ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
   return choice;
 }
 
-// The error falls with the distance of nodes, and with the differences that are allowed between the
-// nodes of a cell, unless the light is wrong at the nodes themselves.
+// The error falls with the differences that are allowed between the nodes of a cell, unless the
+// light is wrong at the nodes themselves.
 std::optional<LightSource> ToleranceSearch::ExactLight(
   Trial& trial, ToleranceChoice choice, double ofLimit)
 {
@@ -243,11 +243,6 @@ std::optional<LightSource> ToleranceSearch::ExactLight(
   constexpr double LargestCut = 1.0 / 8.0;
   constexpr double LeastGain = 0.7;
   const double most = trial.facts.lightOfLimit;
-  if (trial.facts.hasFineSky)
-  {
-    choice.light.isFine = true;
-    ofLimit = KeptLightOfLimit(trial, choice);
-  }
   while (ofLimit > most && choice.light.latticePart > LeastPart)
   {
     choice.light.latticePart *= std::max(Caution * most / ofLimit, LargestCut);

@@ -169,26 +169,19 @@ void LightResources::UpdateSky(const VolumeMarch& march, std::vector<Kept>& now)
     this->sky.mostDepth = MostDepthOfTraced;
     return;
   }
+  this->sky.nodeStepMm = float(NodeStepVoxels(ErrorOfOneRay * error) * OccluderVoxelMm(march));
   this->sky.mostDepth = float(-std::log(error));
   // Light through blocks of other levels is other light.
-  if (march.plan.marcher != Marcher::Device && march.frame.settings.occlusion &&
-    march.plan.budget.LightError() >= SkyCellError && !march.frame.blockLevels)
+  if (march.plan.marcher == Marcher::Device || !march.frame.settings.occlusion ||
+    march.plan.budget.LightError() < SkyCellError || march.frame.blockLevels)
   {
-    this->sky.agreement = SkyAgreement;
-    this->KeepSkyLattices(
-      march, NodeStepVoxels(ErrorOfOneRay * error) * OccluderVoxelMm(march), now);
+    return;
   }
-}
-
-void LightResources::KeepSkyLattices(
-  const VolumeMarch& march, double nodeStepMm, std::vector<Kept>& now)
-{
-  // Filling the finer lattice takes longer than tracing in small images, so that none is made yet.
-  const LatticeShape shape = LightLattice::ShapeOfSky(march.frame.geometry.dimensions);
-  Fingerprint inputs(InputsOf(march), march.frame.material.occlusion,
-    march.frame.material.occlusionReachMm, march.frame.occluders);
-  this->sky.lattices[0] = { this->KeepNodes(std::move(inputs), shape, now), shape,
-    float(nodeStepMm) };
+  this->sky.shape = LightLattice::ShapeOfSky(march.frame.geometry.dimensions);
+  this->sky.agreement = SkyAgreement;
+  Fingerprint inputs(
+    InputsOf(march), strength, march.frame.material.occlusionReachMm, march.frame.occluders);
+  this->sky.nodes = this->KeepNodes(std::move(inputs), this->sky.shape, now);
 }
 
 PacketShadows LightResources::Shadows(const VolumeMarch& march, int part) const
@@ -210,10 +203,7 @@ PacketSky LightResources::Sky(const VolumeMarch& march) const
     float(march.plan.budget.HasTolerance() ? march.plan.OcclusionStepMm(voxelMm)
                                            : std::min(voxelMm, march.plan.sampleDistanceMm));
   ofMarch.agreement *= float(march.plan.light.latticePart);
-  auto& [coarse, fine] = ofMarch.lattices;
-  fine.nodes = march.plan.light.IsTraced() ? nullptr : fine.nodes;
-  const bool leavesOutCoarse = march.plan.light.isFine && fine.nodes;
-  coarse.nodes = march.plan.light.IsTraced() || leavesOutCoarse ? nullptr : coarse.nodes;
+  ofMarch.nodes = march.plan.light.IsTraced() ? nullptr : ofMarch.nodes;
   return ofMarch;
 }
 

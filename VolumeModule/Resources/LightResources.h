@@ -17,11 +17,9 @@ namespace varimarch
 /// of the light from all around, which packets of rays fill while they draw. A lattice is kept as
 /// long as its light, the volume and its opacities stay, whatever the view. There are none without
 /// an error tolerance, and none of shadows where a voxel may be all but opaque: they are then
-/// thinner than the cells of a lattice. Light from all around has a finer lattice too, for places
-/// at which the coarser one tells too little; a march may take all light from the finer one, or
-/// leave them out (LightSource), which shows their error. Volumes that overlap have lattices of
-/// their own, whose light is multiplied; only ambient occlusion, which knows no product, takes all
-/// of them into account.
+/// thinner than the cells of a lattice. A march may leave them out (LightSource), which shows their
+/// error. Volumes that overlap have lattices of their own, whose light is multiplied; only ambient
+/// occlusion, which knows no product, takes all of them into account.
 class LightResources
 {
 public:
@@ -43,8 +41,6 @@ public:
 
   /// True if a march may take light from a lattice.
   bool HasLattices() const { return !this->kept.empty(); }
-  /// True if light from all around may be taken from a finer lattice.
-  bool HasFineSky() const { return this->sky.lattices.back().nodes; }
 
   /// The directions of ambient occlusion.
   MarchTexture SkyDirections() const { return this->directions.Texture(); }
@@ -59,7 +55,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  /// A lattice of a light.
+  /// The lattice of a light.
   struct Kept
   {
     Fingerprint inputs; ///< Everything that its light depends on.
@@ -70,8 +66,6 @@ private:
     const VolumeMarch& march, const MaterialResources& materials, std::vector<Kept>& now);
   void KeepLattices(const VolumeMarch& march, std::vector<Kept>& now);
   void UpdateSky(const VolumeMarch& march, std::vector<Kept>& now);
-  /// @param nodeStepMm  the longest segment of rays from nodes a voxel apart
-  void KeepSkyLattices(const VolumeMarch& march, double nodeStepMm, std::vector<Kept>& now);
   void UpdateDirections(const VolumeMarch& march);
   void UpdateSums(const VolumeMarch& march, const MaterialResources& materials);
   std::uint8_t* KeepNodes(Fingerprint inputs, const LatticeShape& shape, std::vector<Kept>& now);

@@ -12,8 +12,6 @@ namespace
 
 constexpr int FewestNodes = 2;
 
-constexpr int SkyMargin = LightLattice::SkyDistanceVoxels + 1;
-
 std::size_t BytesFor(const glm::ivec3& count)
 {
   const bool hasCells = count.x >= FewestNodes && count.y >= FewestNodes && count.z >= FewestNodes;
@@ -36,26 +34,19 @@ LatticeShape LightLattice::ShapeOfLight(const glm::ivec3& voxelCount)
   {
     voxelsPerNode *= 2;
   }
-  return { voxelCount / voxelsPerNode, float(voxelsPerNode), 0 };
+  return { voxelCount / voxelsPerNode, voxelsPerNode, 0 };
 }
 
 LatticeShape LightLattice::ShapeOfSky(const glm::ivec3& voxelCount)
 {
-  int voxelsPerNode = 1;
-  glm::ivec3 nodeCount = voxelCount + 2 * SkyMargin;
-  while (!CanBeNumbered(nodeCount))
+  constexpr int Margin = SkyDistanceVoxels + 1;
+  LatticeShape shape = { voxelCount + 2 * Margin, 1, Margin };
+  while (!CanBeNumbered(shape.nodeCount))
   {
-    voxelsPerNode *= 2;
-    nodeCount = (voxelCount + 2 * SkyMargin) / voxelsPerNode + 1;
+    shape.voxelsPerNode *= 2;
+    shape.nodeCount = (voxelCount + 2 * Margin) / shape.voxelsPerNode + 1;
   }
-  return { nodeCount, float(voxelsPerNode), SkyMargin };
-}
-
-LatticeShape LightLattice::FineShapeOfSky(const glm::ivec3& voxelCount)
-{
-  constexpr std::size_t MostBytes = std::size_t(1) << 30;
-  const glm::ivec3 nodeCount = 2 * (voxelCount + 2 * SkyMargin - 1) + 1;
-  return { BytesFor(nodeCount) <= MostBytes ? nodeCount : glm::ivec3(0), 0.5f, SkyMargin };
+  return shape;
 }
 
 // calloc takes zeros from the system page by page, when they are written.

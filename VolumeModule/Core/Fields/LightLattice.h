@@ -15,8 +15,8 @@ namespace varimarch
 struct LatticeShape
 {
   glm::ivec3 nodeCount; ///< at least 2 along each axis; else there are no cells of nodes
-  float voxelsPerNode;  ///< a power of two
-  int margin;           ///< voxels by which the lattice begins before the volume, along each axis
+  int voxelsPerNode;
+  int margin; ///< voxels by which the lattice begins before the volume, along each axis
 };
 
 /// The part of one light that reaches the nodes of a lattice in a volume, one byte each. Rays that
@@ -42,10 +42,6 @@ public:
   /// The shape for light from all around: a node for each voxel, and for all places at which
   /// surfaces at the faces of the volume see it.
   static LatticeShape ShapeOfSky(const glm::ivec3& voxelCount);
-
-  /// The same with nodes half a voxel apart, for matter that changes within a voxel. It has no
-  /// nodes if they would take more than 1 GiB.
-  static LatticeShape FineShapeOfSky(const glm::ivec3& voxelCount);
 
   /// An empty lattice.
   /// @throws std::runtime_error if there is no memory

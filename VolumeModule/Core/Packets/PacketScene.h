@@ -15,7 +15,6 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -116,25 +115,18 @@ struct PacketShadows
   float mostExtinction = 1e30f;
 };
 
-/// A lattice of the light from all around; see LightLattice.
-struct PacketSkyLattice
-{
-  std::uint8_t* nodes; ///< null: there is none
-  LatticeShape shape;
-  float nodeStepMm; ///< longest segment of the rays that fill nodes
-};
-
 /// Light from all around, as far as matter lets it through: ambient occlusion.
 struct PacketSky
 {
   float strength;                         ///< (0, 1]; 0: all light arrives everywhere
   float reachMm;                          ///< distance beyond which matter does not count
   glm::vec4 directions[SphereDirections]; ///< SphereQuadrature [grid space per mm], with weights
-  /// The coarser one first. Places in cells whose nodes do not agree are traced.
-  std::array<PacketSkyLattice, 2> lattices;
-  float agreement; ///< largest difference between the nodes of a cell that is used
-  float stepMm;    ///< longest segment of the rays from places
-  float mostDepth; ///< optical depth beyond which no light is left
+  std::uint8_t* nodes;                    ///< nodes of its lattice; null: every place is traced
+  LatticeShape shape;
+  float stepMm;     ///< longest segment of rays
+  float nodeStepMm; ///< the same of rays that fill nodes
+  float agreement;  ///< largest difference between the nodes of a cell that is used
+  float mostDepth;  ///< optical depth beyond which no light is left
 };
 
 /// Shaders/Shade and Shaders/Damping.

@@ -17,10 +17,8 @@ namespace
 
 // The order at surfaces that are all but opaque.
 constexpr double OrderAtOpaqueSurfaces = 1.0;
-// The most that the error of an image is estimated by.
-constexpr double MostSupposed = 1.6;
 // Bounds of the estimated order.
-constexpr double LeastOrder = 0.6;
+constexpr double LeastOrder = 0.7;
 constexpr double MostOrder = 3.0;
 
 // If an error is within these fractions of the limit, the power law predicts the distance at which
@@ -85,7 +83,6 @@ public:
     , range(range)
     , first(first)
     , exact(exact)
-    , leastOrder(std::min(OrderAtOpaqueSurfaces, range.supposedOrder))
     , order(range.supposedOrder)
   {
   }
@@ -98,7 +95,7 @@ public:
 
   FoundSteps FindFrom(double earlier)
   {
-    this->order = this->leastOrder; // no other distance of this image has told its order
+    this->order = OrderAtOpaqueSurfaces; // no other distance of this image has told its order
     const Trial trial = this->Try(this->InRange(earlier));
     this->order = this->range.supposedOrder;
     if (trial.ofLimit >= LeastOfEarlier && trial.ofLimit <= MostOfLimit)
@@ -197,8 +194,8 @@ private:
         factor * FractionOfLimit(change, this->limit) };
     };
     // If the error falls more slowly than assumed, the finer distance has removed less of it.
-    this->UpdateOrder(trialOf(MostSupposed));
-    return trialOf(std::clamp(this->order, this->leastOrder, MostSupposed));
+    this->UpdateOrder(trialOf(UsualOrder));
+    return trialOf(std::clamp(this->order, OrderAtOpaqueSurfaces, UsualOrder));
   }
 
   void Keep(const Trial& trial) { (trial.ofLimit <= 1.0 ? this->keeps : this->fails) = trial; }
@@ -297,7 +294,6 @@ private:
   std::optional<Trial> keeps;                 ///< the longest distance so far that keeps the limit
   std::optional<Trial> fails;                 ///< the shortest distance so far that does not
   std::optional<Trial> last;
-  double leastOrder; ///< by which an estimated error falls
   double order;
 };
 

@@ -38,6 +38,10 @@ struct FoundSteps
 /// @param cost  cost of one step, relative to a step of the other rule
 bool IsBetter(const StepChoice& choice, double cost, const StepChoice& other);
 
+/// The order by which errors usually fall with the sample distance: the rules are of second order,
+/// but trilinear data has kinks at cell faces.
+constexpr double UsualOrder = 1.6;
+
 /// Distances to search. Half of the finest is drawn too.
 struct StepRange
 {
@@ -46,9 +50,8 @@ struct StepRange
   /// True if only halves of octaves from the first distance are drawn, of which the longest that
   /// keeps the limit is taken.
   bool isOfHalfOctaves = false;
-  /// The order by which errors are supposed to fall with the distance until two distances tell it.
-  /// The rules are of second order, but trilinear data has kinks at cell faces.
-  double supposedOrder = 1.6;
+  /// The order by which errors are supposed to fall until two distances tell it, from 1 on.
+  double supposedOrder = UsualOrder;
 };
 
 /// Draws some pixels of an image, always the same ones, at a sample distance; returns premultiplied

@@ -149,7 +149,7 @@ private:
   // The length of a cell along rays.
   Lanes CellMm(const PacketRays& rays) const
   {
-    return this->scene.shadows.shape.voxelsPerNode / Length(rays.directionGrid);
+    return float(this->scene.shadows.shape.voxelsPerNode) / Length(rays.directionGrid);
   }
 
   // The optical depth of a cell that is filled by the matter at a place.

@@ -79,7 +79,8 @@ public:
 private:
   Lanes3 InNodes(const Lanes3& placeGrid) const
   {
-    return (1.0f / this->shape.voxelsPerNode) * (placeGrid + Lanes3(float(this->shape.margin)));
+    return (1.0f / float(this->shape.voxelsPerNode)) *
+      (placeGrid + Lanes3(float(this->shape.margin)));
   }
 
   static Lanes CellBelow(Lanes number, int count)
@@ -135,7 +136,7 @@ private:
       IntLanesOf([&](int lane) { return empty.of[lane < empty.count ? lane : 0]; });
     const LaneMask mask = IntLanesOf([&](int lane) { return lane < empty.count ? -1 : 0; });
     const IntLanes row = node / this->nodeCount.x;
-    const Lanes3 placeGrid = this->shape.voxelsPerNode *
+    const Lanes3 placeGrid = float(this->shape.voxelsPerNode) *
         Lanes3(FloatOf(node % this->nodeCount.x), FloatOf(row % this->nodeCount.y),
           FloatOf(row / this->nodeCount.y)) -
       Lanes3(float(this->shape.margin));

@@ -8,9 +8,6 @@
 #include "Core/Packets/Reach/DepthAlong.h"
 #include "Core/Packets/Reach/LightCells.h"
 
-#include <array>
-#include <cstddef>
-
 namespace varimarch
 {
 
@@ -19,10 +16,10 @@ namespace
 
 /// The optical depth of a volume from places on, as far as light from all around is taken.
 /// @param direction  its index in PacketSky
-/// @param longestMm  the longest segment
+/// @param isOfNodes  true for the places of nodes of the lattice
 template <class Voxels>
 FLATTENED Lanes SkyDepth(const PacketScene& scene, const Voxels& voxels, int direction,
-  const Lanes3& placeGrid, LaneMask mask, float longestMm)
+  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
 {
   PacketRays rays;
   rays.originGrid = placeGrid;
@@ -33,6 +30,7 @@ FLATTENED Lanes SkyDepth(const PacketScene& scene, const Voxels& voxels, int dir
   rays.exit = All(scene.sky.reachMm);
   KeepUncut(rays, scene);
   // A surface is farther from its place than the first segment.
+  const float longestMm = isOfNodes ? scene.sky.nodeStepMm : scene.sky.stepMm;
   const ShadowMarch march = { longestMm, All(0.5f * longestMm), scene.sky.mostDepth };
   return DepthAlong(scene, voxels, rays, march, mask, NothingIsKnown());
 }
@@ -47,44 +45,27 @@ public:
   OpenSky(const PacketScene& scene, const Voxels& voxels)
     : scene(scene)
     , voxels(voxels)
-    , cells{ CellsOf(scene.sky.lattices[0]), CellsOf(scene.sky.lattices[1]) }
+    , cells(scene.sky.nodes, scene.sky.shape)
   {
   }
 
   /// @param mask  the places that matter
   [[gnu::noinline]] Lanes At(const Lanes3& placeGrid, LaneMask mask)
   {
-    Lanes open = {};
-    LaneMask others = mask;
-    for (std::size_t i = 0; i < this->cells.size(); ++i)
+    if (!this->cells)
     {
-      if (this->cells[i] && Any(others))
-      {
-        this->TakeFrom(i, placeGrid, others, open);
-      }
+      return this->Followed(placeGrid, mask);
     }
-    return Any(others) ? Select(others, this->Followed(placeGrid, others), open) : open;
+    LaneMask agrees = mask & this->cells.Contains(placeGrid);
+    const LightInCells found = this->cells.LightAt(placeGrid, agrees,
+      [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->Traced(nodeGrid, nodes, true); });
+    agrees &= LaneMask(found.spread <= this->scene.sky.agreement);
+    const LaneMask others = mask & ~agrees;
+    return Any(others) ? Select(others, this->Followed(placeGrid, others), found.between)
+                       : found.between;
   }
 
 private:
-  static LightCells CellsOf(const PacketSkyLattice& lattice)
-  {
-    return LightCells(lattice.nodes, lattice.shape);
-  }
-
-  // Sets the light of places in cells whose nodes agree, and takes them from the mask.
-  void TakeFrom(std::size_t lattice, const Lanes3& placeGrid, LaneMask& mask, Lanes& open) const
-  {
-    const float longestMm = this->scene.sky.lattices[lattice].nodeStepMm;
-    LaneMask agrees = mask & this->cells[lattice].Contains(placeGrid);
-    const LightInCells found = this->cells[lattice].LightAt(placeGrid, agrees,
-      [&](const Lanes3& nodeGrid, LaneMask nodes)
-      { return this->Traced(nodeGrid, nodes, longestMm); });
-    agrees &= LaneMask(found.spread <= this->scene.sky.agreement);
-    open = Select(agrees, found.between, open);
-    mask &= ~agrees;
-  }
-
   // A packet is traced for all of its places if one of them asks for it.
   Lanes Followed(const Lanes3& placeGrid, LaneMask mask)
   {
@@ -98,7 +79,7 @@ private:
     {
       return Clamp(this->lastOpen + movedMm * this->changePerMm, 0.0f, 1.0f);
     }
-    const Lanes open = this->Traced(placeGrid, mask, this->scene.sky.stepMm);
+    const Lanes open = this->Traced(placeGrid, mask, false);
     const LaneMask goesOn = mask & this->isKnown & LaneMask(movedMm < 2.0f * longestMm);
     this->changePerMm =
       Select(goesOn, (open - this->lastOpen) / Max(movedMm, All(1e-6f * longestMm)), Lanes{});
@@ -108,12 +89,12 @@ private:
     return open;
   }
 
-  [[gnu::noinline]] Lanes Traced(const Lanes3& placeGrid, LaneMask mask, float longestMm) const
+  [[gnu::noinline]] Lanes Traced(const Lanes3& placeGrid, LaneMask mask, bool isOfNodes) const
   {
     Lanes seen = {};
     for (int i = 0; i < SphereDirections; ++i)
     {
-      const Lanes depth = SkyDepth(this->scene, this->voxels, i, placeGrid, mask, longestMm);
+      const Lanes depth = SkyDepth(this->scene, this->voxels, i, placeGrid, mask, isOfNodes);
       seen = seen + this->scene.sky.directions[i].w * Exp(-depth);
     }
     return KeptLight(seen, All(this->scene.sky.strength));
@@ -121,7 +102,7 @@ private:
 
   const PacketScene& scene;
   const Voxels& voxels;
-  std::array<LightCells, 2> cells;
+  LightCells cells;
   Lanes3 lastGrid = Lanes3(0.0f); ///< the places that were traced last
   Lanes lastOpen = {};
   Lanes changePerMm = {}; ///< change of the light when these places were reached

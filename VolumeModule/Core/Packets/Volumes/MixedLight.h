@@ -144,10 +144,9 @@ struct VoxelsAmongOthers
   AllConstituents all;
 };
 
-/// The optical depth of all constituents from places on, in the grid of one of them. Segments in
-/// each are as long as its voxels ask for.
+/// The optical depth of all constituents from places on, in the grid of one of them.
 inline Lanes SkyDepth(const PacketScene& scene, const VoxelsAmongOthers& voxels, int direction,
-  const Lanes3& placeGrid, LaneMask mask, float longestMm)
+  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
 {
   Lanes depth = {};
   for (int i = 0; i < voxels.all.Count(); ++i)
@@ -159,8 +158,7 @@ inline Lanes SkyDepth(const PacketScene& scene, const VoxelsAmongOthers& voxels,
     }
     const PacketScene& other = voxels.all[i];
     const Lanes own = SkyDepth(other, AnyVoxels(other), direction,
-      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts,
-      longestMm * other.sky.stepMm / scene.sky.stepMm);
+      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts, isOfNodes);
     depth = depth + Select(counts, own, Lanes{});
   }
   return depth;
