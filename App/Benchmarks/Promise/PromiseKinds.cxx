@@ -22,7 +22,7 @@ const std::vector<PromiseKind>& PromiseKinds()
 const std::vector<std::string>& PromiseKindsUnderWork()
 {
   static const std::vector<std::string> kinds = {
-    // Gradients that are rounding noise in even matter are lit as surfaces.
+    // Single pixels of seeds that WorkPrecision.md names.
     "head-light",
     "lamps",
     // Light where matter changes within a voxel.
