@@ -22,7 +22,7 @@ const std::vector<PromiseKind>& PromiseKinds()
 const std::vector<std::string>& PromiseKindsUnderWork()
 {
   static const std::vector<std::string> kinds = {
-    // Single pixels of seeds that WorkPrecision.md names.
+    // Gradients of even matter were lit as surfaces; not judged in the suite since.
     "head-light",
     "lamps",
     // Light where matter changes within a voxel.
