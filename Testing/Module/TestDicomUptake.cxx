@@ -87,6 +87,38 @@ TEST_F(DicomUptake, IsTheValueWhereTheFileSaysSo)
   EXPECT_EQ(this->FactorOf(elements), 1.0);
 }
 
+// 08:00 in UTC is 09:00 in the zone of the file.
+TEST_F(DicomUptake, CountsInOneTimeZone)
+{
+  Elements elements = Pet({ { StartDateTime, Text("DT", "20260102080000.00+0000") } });
+  elements[0x00080201] = Text("SH", "+0100");
+  EXPECT_NEAR(this->FactorOf(elements), 4e-4, 1e-12);
+  // Without the zone of the file, the time of day counts.
+  elements.erase(0x00080201);
+  EXPECT_NEAR(this->FactorOf(elements), 4e-4, 1e-12);
+}
+
+TEST_F(DicomUptake, IsUnknownWhereWhatTheFileSaysCannotBeTrue)
+{
+  const auto expectDoubt = [this](const Elements& elements, const std::string& reason)
+  {
+    EXPECT_EQ(this->FactorOf(elements), 0.0);
+    this->ExpectWarning("Standardized uptake values are unknown: " + reason + ".");
+  };
+  expectDoubt(Pet({ { StartDateTime, Text("DT", "20251231090000.00") } }),
+    "the tracer was injected 49 half-lives before the scan, which cannot be true");
+  expectDoubt(Pet({ { StartDateTime, Text("DT", "20260103090000.00") } }),
+    "the tracer was injected after the scan had begun");
+  expectDoubt(Pet({ { Dose, Decimals({ 400 }) } }), "a dose of 400 Bq cannot be true");
+  Elements grams = Pet();
+  grams[Weight] = Decimals({ 80000 });
+  expectDoubt(grams, "a weight of 8e+04 kg cannot be true");
+  Elements lean = Pet();
+  lean[Units] = Text("CS", "GML");
+  lean[0x00541006] = Text("CS", "LBM");
+  expectDoubt(lean, "its values are not by body weight, but by \"LBM\"");
+}
+
 TEST_F(DicomUptake, IsUnknownWhereSomethingIsMissing)
 {
   for (const std::uint32_t missing :

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <locale>
 #include <sstream>
 #include <type_traits>
 
@@ -154,6 +155,15 @@ std::vector<std::string> Words(const std::string& line)
     words.push_back(word);
   }
   return words;
+}
+
+std::string ShortText(double number)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(4);
+  text << number;
+  return text.str();
 }
 
 double NumberFromText(const std::string& path, const std::string& what, const std::string& word)

@@ -35,6 +35,9 @@ std::vector<std::string> Words(const std::string& line);
 /// The number that a text is, independent of the locale; none if it is anything else.
 std::optional<double> NumberIn(const std::string& text);
 
+/// A number with at most four significant digits, for sentences.
+std::string ShortText(double number);
+
 /// Converts a word to a number, independent of the locale.
 /// @param what  description of the number for the error message
 /// @throws std::runtime_error if the word is not exactly one number

@@ -28,6 +28,11 @@ void TakeMetadata(const DicomFrame& slice, Volume& volume)
   volume.weighting = metadata.weighting;
   volume.windowLevel = metadata.windowLevel;
   volume.uptakeValueFactor = metadata.uptakeValueFactor;
+  if (!metadata.uptakeDoubt.empty())
+  {
+    volume.warnings.push_back(
+      "Standardized uptake values are unknown: " + metadata.uptakeDoubt + ".");
+  }
   if (slice.file->colours == "MONOCHROME1" ||
     (slice.file->colours == "PALETTE COLOR" && slice.file->palette.entries.empty()))
   {

@@ -189,7 +189,7 @@ template <class Wire>
 void Fields(Wire& wire, DicomMetadata& metadata)
 {
   wire(metadata.modality, metadata.bodyPart, metadata.hasContrastAgent, metadata.weighting,
-    metadata.windowLevel, metadata.uptakeValueFactor);
+    metadata.windowLevel, metadata.uptakeValueFactor, metadata.uptakeDoubt);
 }
 
 template <class Wire>

@@ -49,7 +49,9 @@ DicomMetadata MetadataOf(const std::string& path, int frame)
   {
     metadata.weighting = WeightingOf(attributes);
   }
-  metadata.uptakeValueFactor = UptakeValueFactor(attributes);
+  const UptakeValue uptake = UptakeValueOf(attributes);
+  metadata.uptakeValueFactor = uptake.factor;
+  metadata.uptakeDoubt = uptake.doubt;
   const double window = attributes.NumberOr(DC::WindowWidth, 0.0);
   if (window > 0)
   {

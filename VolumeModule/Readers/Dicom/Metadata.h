@@ -9,7 +9,7 @@
 namespace varimarch
 {
 
-/// Attributes of a frame that its place and values do not depend on. The members are those of
+/// Attributes of a frame that its place and values do not depend on. Most members are those of
 /// Volume; all are empty if the file cannot be read.
 struct DicomMetadata
 {
@@ -19,6 +19,7 @@ struct DicomMetadata
   std::string weighting;
   std::optional<WindowLevel> windowLevel;
   std::optional<double> uptakeValueFactor;
+  std::string uptakeDoubt; ///< the reason why a PET image has no factor; see UptakeValue
 };
 
 /// Reads the metadata of a frame.

@@ -35,4 +35,18 @@ std::optional<double> SecondsOfMoment(const std::string& date, const std::string
   return double(timegm(&moment)) + seconds;
 }
 
+std::optional<double> SecondsOfZone(const std::string& text)
+{
+  constexpr std::size_t Letters = 5;
+  constexpr double SecondsPerMinute = 60.0;
+  const std::string zone = text.size() < Letters ? "" : text.substr(text.size() - Letters);
+  if (zone.empty() || zone.find_first_not_of("0123456789", 1) != std::string::npos ||
+    (zone[0] != '+' && zone[0] != '-'))
+  {
+    return std::nullopt;
+  }
+  const double minutes = 60.0 * NumberAt(zone, 1, 2) + NumberAt(zone, 3, 2);
+  return (zone[0] == '-' ? -1.0 : 1.0) * SecondsPerMinute * minutes;
+}
+
 }

@@ -12,6 +12,10 @@ namespace varimarch
 /// time zone. Empty for shorter texts (PS3.5 table 6.2-1).
 std::optional<double> SecondsOfMoment(const std::string& date, const std::string& time);
 
+/// Seconds by which the local time is ahead of UTC, from the last five letters of a text, such as
+/// "+0130"; empty if they are none of a time zone.
+std::optional<double> SecondsOfZone(const std::string& text);
+
 }
 
 #endif

@@ -4,17 +4,25 @@
 #include "Readers/Dicom/Attributes.h"
 
 #include <optional>
+#include <string>
 
 namespace varimarch
 {
 
-/// The factor from the values of a PET image to standardized uptake values by body weight [g/ml],
-/// as QIBA's profile for FDG computes it (QIBA, "SUV vendor-neutral pseudo-code", 2012): values in
-/// Bq/ml times the patient's weight, divided by the dose that was left at the start of the scan.
-/// Values that are SUV already have the factor 1, and those of Philips' counts the factor that the
-/// file gives. Empty for other modalities, and where the file does not say what is needed: its
-/// values are not corrected for attenuation and decay, or the start of the scan is uncertain.
-std::optional<double> UptakeValueFactor(const DicomAttributes& attributes);
+/// The standardized uptake values (SUV) of an image.
+struct UptakeValue
+{
+  std::optional<double> factor; ///< from values to SUV by body weight [g/ml]
+  std::string doubt; ///< the reason why a PET image has no factor, as the end of a sentence
+};
+
+/// Determines the factor to standardized uptake values of a PET image as QIBA's profile for FDG
+/// computes it (QIBA, "SUV vendor-neutral pseudo-code", 2012): values in Bq/ml times the patient's
+/// weight, divided by the dose that was left at the start of the scan. Values that are SUV by body
+/// weight already have the factor 1, and those of Philips' counts the factor that the file gives.
+/// There is no factor where the file does not say what is needed, or what it says cannot be true.
+/// Both members are empty for other modalities.
+UptakeValue UptakeValueOf(const DicomAttributes& attributes);
 
 }
 
