@@ -25,19 +25,6 @@ Element SegmentItems(const std::vector<DescribedSegment>& segments)
   return Sequence(items);
 }
 
-Element SharedItems(const StoredVolume& grid)
-{
-  const glm::dvec3 row = glm::normalize(grid.axesMm[0]);
-  const glm::dvec3 column = glm::normalize(grid.axesMm[1]);
-  const Elements orientation = { { 0x00200037,
-    Decimals({ row.x, row.y, row.z, column.x, column.y, column.z }) } };
-  const Elements measures = { { 0x00180050, Decimals({ glm::length(grid.axesMm[2]) }) },
-    { 0x00180088, Decimals({ glm::length(grid.axesMm[2]) }) },
-    { 0x00280030, Decimals({ glm::length(grid.axesMm[1]), glm::length(grid.axesMm[0]) }) } };
-  return Sequence(
-    { { { 0x00209116, Sequence({ orientation }) }, { 0x00289110, Sequence({ measures }) } } });
-}
-
 Element FrameItems(const StoredVolume& grid, const std::vector<SegmentFrame>& frames)
 {
   std::vector<Elements> items;
@@ -70,6 +57,23 @@ Element Bytes(const std::vector<int>& pixels)
   return { "OB", std::string(pixels.begin(), pixels.end()) };
 }
 
+}
+
+Element SharedItems(const StoredVolume& grid, bool hasDistance)
+{
+  const glm::dvec3 row = glm::normalize(grid.axesMm[0]);
+  const glm::dvec3 column = glm::normalize(grid.axesMm[1]);
+  const Elements orientation = { { 0x00200037,
+    Decimals({ row.x, row.y, row.z, column.x, column.y, column.z }) } };
+  Elements measures = { { 0x00180050, Decimals({ glm::length(grid.axesMm[2]) }) },
+    { 0x00180088, Decimals({ glm::length(grid.axesMm[2]) }) },
+    { 0x00280030, Decimals({ glm::length(grid.axesMm[1]), glm::length(grid.axesMm[0]) }) } };
+  if (!hasDistance)
+  {
+    measures.erase(0x00180088);
+  }
+  return Sequence(
+    { { { 0x00209116, Sequence({ orientation }) }, { 0x00289110, Sequence({ measures }) } } });
 }
 
 Elements Segmentation(const StoredVolume& grid, const std::vector<DescribedSegment>& segments,

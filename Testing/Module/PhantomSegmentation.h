@@ -37,6 +37,10 @@ enum class SegmentationType
 Elements Segmentation(const StoredVolume& grid, const std::vector<DescribedSegment>& segments,
   const std::vector<SegmentFrame>& frames, SegmentationType type = SegmentationType::Binary);
 
+/// The geometry that all frames share.
+/// @param hasDistance  false if only the thickness of the slices is stated, not their distance
+Element SharedItems(const StoredVolume& grid, bool hasDistance = true);
+
 }
 
 #endif

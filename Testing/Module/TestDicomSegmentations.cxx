@@ -38,6 +38,12 @@ protected:
     this->Write("segments", phantom_dicom::Segmentation(this->grid, segments, frames, type));
   }
 
+  /// Removes the distance of slices, so that only their thickness is left.
+  void WithoutDistance(Elements& elements) const
+  {
+    elements[0x52009229] = phantom_dicom::SharedItems(this->grid, false);
+  }
+
   /// The pixels of a slice of the grid whose voxels have a label.
   std::set<int> PixelsOf(int label, int slice)
   {
@@ -149,6 +155,35 @@ TEST_F(DicomSegmentations, OfOneFrameHaveTheStatedThickness)
   ASSERT_EQ(image->GetDimensions()[2], 1);
   EXPECT_NEAR(image->GetSpacing()[2], glm::length(this->grid.axesMm[2]), 1e-6);
   EXPECT_EQ(this->PixelsOf(1, 0), (std::set<int>{ 8 }));
+}
+
+// Slices 0, 1, 2, 4, 6 of a scan whose upper part is scanned half as finely, without the distance.
+TEST_F(DicomSegmentations, OfTwoDistancesReachHalfWayToTheNextFrame)
+{
+  Elements elements = phantom_dicom::Segmentation(this->grid, { { 1, "liver" } },
+    { Frame(1, 0, { 0 }), Frame(1, 1, { 0 }), Frame(1, 2, { 0 }), Frame(1, 4, { 0 }),
+      Frame(1, 6, { 1 }) });
+  this->WithoutDistance(elements);
+  this->Write("segments", elements);
+  ASSERT_EQ(this->Read()->GetDimensions()[2], 7) << this->reader->GetErrorMessage();
+  for (int slice = 0; slice < 6; ++slice)
+  {
+    EXPECT_EQ(this->PixelsOf(1, slice), (std::set<int>{ 0 })) << slice;
+  }
+  EXPECT_EQ(this->PixelsOf(1, 6), (std::set<int>{ 1 }));
+  this->ExpectWarning("lie at two distances");
+}
+
+TEST_F(DicomSegmentations, OfSparseFramesAreAsThickAsTheySay)
+{
+  Elements elements = phantom_dicom::Segmentation(
+    this->grid, { { 1, "liver" } }, { Frame(1, 0, { 0 }), Frame(1, 4, { 0 }), Frame(1, 8, { 0 }) });
+  this->WithoutDistance(elements);
+  this->Write("segments", elements);
+  ASSERT_EQ(this->Read()->GetDimensions()[2], 9) << this->reader->GetErrorMessage();
+  EXPECT_EQ(this->PixelsOf(1, 4), (std::set<int>{ 0 }));
+  EXPECT_EQ(this->PixelsOf(1, 3), (std::set<int>{}));
+  this->ExpectWarning("each was taken to be as thick as stated");
 }
 
 TEST_F(DicomSegmentations, ComeAfterTheScanInAFolder)
