@@ -171,8 +171,8 @@ void Fields(Wire& wire, DicomFile& file)
   wire(file.path, file.isDeflated, file.transferSyntax, file.seriesUid, file.instanceUid,
     file.seriesDescription, file.frameOfReference, file.modality, file.isSegmentation,
     file.seriesNumber, file.rows, file.columns, file.frameCount, file.isTruncated, file.samples,
-    file.bitsAllocated, file.bitsStored, file.highBit, file.isSigned, file.isFloat, file.colours,
-    file.palette);
+    file.bitsAllocated, file.bitsStored, file.highBit, file.hasSwappedBytes, file.isSigned,
+    file.isFloat, file.colours, file.palette);
 }
 
 /// All but the file and the table.

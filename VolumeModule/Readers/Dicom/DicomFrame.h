@@ -56,6 +56,7 @@ struct DicomFile
   int bitsAllocated = 16;
   int bitsStored = 16;
   int highBit = 15;
+  bool hasSwappedBytes = false; ///< true if bytes are stored in big-endian words
   bool isSigned = false;
   bool isFloat = false;
   std::string colours; ///< photometric interpretation, such as "MONOCHROME2"

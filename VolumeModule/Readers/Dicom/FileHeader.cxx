@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace varimarch
 {
@@ -131,6 +132,22 @@ std::shared_ptr<DicomFile> FileOf(const std::string& path, vtkDICOMMetaData* met
   return file;
 }
 
+/// True if single bytes stand in words of big-endian files, which swap each pair of them (PS3.5
+/// 8.1.1).
+bool HasSwappedBytes(const DicomFile& file, std::int64_t pixelOffset)
+{
+  constexpr const char* BigEndianSyntax = "1.2.840.10008.1.2.2";
+  constexpr std::int64_t FromTypeToPixels = 8;
+  if (file.transferSyntax != BigEndianSyntax || file.bitsAllocated != 8 || file.samples != 1)
+  {
+    return false;
+  }
+  std::ifstream stream(file.path, std::ios::binary);
+  std::string type(2, '\0');
+  stream.seekg(pixelOffset - FromTypeToPixels);
+  return stream.read(type.data(), 2) && type == "OW";
+}
+
 /// Checks that the file is as large as its pixels need, before memory is taken for them.
 void CheckSize(double pixelBytes, DicomHeader& header)
 {
@@ -200,6 +217,7 @@ DicomHeader ReadDicomHeader(const std::string& path)
   header.file = FileOf(path, parsed.meta);
   header.file->isDeflated = isDeflated;
   header.pixelOffset = parsed.pixelOffset;
+  header.file->hasSwappedBytes = HasSwappedBytes(*header.file, parsed.pixelOffset);
   CheckSize(parsed.pixelBytes, header);
   return header;
 }

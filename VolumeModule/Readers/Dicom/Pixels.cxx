@@ -18,6 +18,7 @@
 #include <new>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace varimarch
 {
@@ -115,6 +116,14 @@ vtkSmartPointer<vtkImageData> Read(const DicomFile& file, const std::string& pat
     return nullptr;
   }
   vtkImageData* const image = reader->GetOutput();
+  if (file.hasSwappedBytes)
+  {
+    auto* const bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (vtkIdType i = 0; i + 1 < image->GetNumberOfPoints(); i += 2)
+    {
+      std::swap(bytes[i], bytes[i + 1]);
+    }
+  }
   if (isShifted)
   {
     const vtkIdType count = image->GetNumberOfPoints() * file.samples;
