@@ -93,6 +93,41 @@ TEST_F(DicomValues, AModalityTableReplacesStoredValues)
   EXPECT_EQ(this->ValueOf(elements, 19), 300.0) << "above the last entry";
 }
 
+TEST_F(DicomValues, AModalityTableOf8BitsHasTwoEntriesInAWord)
+{
+  Elements elements = Slice(0);
+  elements[PixelData] = Pixels(Counted());
+  elements.erase(Slope);
+  elements.erase(Intercept);
+  elements[ModalityTable] = phantom_dicom::Sequence({ { { 0x00283002, Shorts({ 4, 0, 8 }) },
+    { 0x00283006, { "OW", std::string("\xff\xfe\xfd\xfc", 4) } } } });
+  EXPECT_EQ(this->ValueOf(elements, 0), 255.0);
+  EXPECT_EQ(this->ValueOf(elements, 3), 252.0);
+}
+
+TEST_F(DicomValues, ARealWorldMapIsAppliedOrNamed)
+{
+  const double slope = 0.5;
+  const double intercept = -3.0;
+  const auto bytes = [](double number)
+  {
+    return phantom_dicom::Element{ "FD",
+      std::string(reinterpret_cast<const char*>(&number), sizeof(number)) };
+  };
+  Elements elements = Slice(0);
+  elements[PixelData] = Pixels(Counted());
+  elements[0x00409096] = phantom_dicom::Sequence({ { { 0x00409210, Text("SH", "ADC") },
+    { 0x00409224, bytes(intercept) }, { 0x00409225, bytes(slope) } } });
+  EXPECT_EQ(this->ValueOf(elements, 7), 7.0);
+  this->ExpectWarning("The files also map their values to \"ADC\"; this map was not applied.");
+  elements.erase(Slope);
+  elements.erase(Intercept);
+  EXPECT_EQ(this->ValueOf(elements, 7), 0.5);
+  EXPECT_EQ(this->Warnings(), "");
+  EXPECT_EQ(this->reader->GetWindow(), 200.0);
+  EXPECT_EQ(this->reader->GetLevel(), 17.0);
+}
+
 TEST_F(DicomValues, StoredBitsMayBeTheHighOnes)
 {
   Elements elements = Slice(0);

@@ -6,11 +6,13 @@
 #include "Readers/Dicom/Segmentation.h"
 #include "Readers/Dicom/StoredSlices.h"
 #include "Readers/Dicom/Values.h"
+#include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/KeptInput.h"
 #include "Readers/Times.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace varimarch
 {
@@ -27,6 +29,12 @@ void TakeMetadata(const DicomFrame& slice, Volume& volume)
   volume.hasContrastAgent = metadata.hasContrastAgent;
   volume.weighting = metadata.weighting;
   volume.windowLevel = metadata.windowLevel;
+  if (volume.windowLevel && slice.isRealWorld)
+  {
+    // The file recommends values that its real-world map has not been applied to.
+    volume.windowLevel->window *= std::abs(slice.slope);
+    volume.windowLevel->level = slice.slope * volume.windowLevel->level + slice.intercept;
+  }
   volume.uptakeValueFactor = metadata.uptakeValueFactor;
   if (!metadata.uptakeDoubt.empty())
   {
@@ -71,6 +79,19 @@ void WarnOfLoss(const std::vector<DicomFrame>& frames, std::vector<std::string>&
   }
 }
 
+/// Warns of a map of values that the files have beside the one that was applied.
+void WarnOfOtherMaps(const std::vector<DicomFrame>& frames, std::vector<std::string>& warnings)
+{
+  constexpr std::size_t LongestUnit = 40;
+  const auto frame = std::find_if(frames.begin(), frames.end(),
+    [](const DicomFrame& candidate) { return !candidate.otherMap.empty(); });
+  if (frame != frames.end())
+  {
+    warnings.push_back("The files also map their values to " +
+      Quoted(frame->otherMap, LongestUnit) + "; this map was not applied.");
+  }
+}
+
 /// Faults of files of a series, and of files of which nothing is known.
 std::vector<DicomFault> FaultsOf(const DicomScan& scan, const DicomSeries& series)
 {
@@ -100,6 +121,7 @@ Volume ReadSlices(const std::string& path, const DicomSeries& series, const Read
   volume.isMisplaced = stack.IsMisplaced();
   stack.Warn(options.Rectifies(volume), volume.warnings);
   WarnOfLoss(frames, volume.warnings);
+  WarnOfOtherMaps(frames, volume.warnings);
   TakeMetadata(frames.front(), volume);
   return volume;
 }

@@ -121,6 +121,8 @@ struct DicomFrame
   double slope = 1.0;
   double intercept = 0.0;
   std::shared_ptr<const DicomTable<std::uint16_t>> table; ///< modality lookup table, or null
+  bool isRealWorld = false; ///< true for the slope and intercept of a real-world value map
+  std::string otherMap;     ///< unit or label of such a map that is not applied, or empty
   std::optional<std::array<double, 2>> padding; ///< range of stored values outside the image
   bool isLossy = false;
 };

@@ -4,13 +4,11 @@
 #include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/FramePlaces.h"
 #include "Readers/Dicom/Mosaic.h"
+#include "Readers/Dicom/ValueMaps.h"
 
 #include <vtkDICOMDictHash.h>
-#include <vtkDICOMItem.h>
 
-#include <glm/geometric.hpp>
-
-#include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace varimarch
@@ -80,65 +78,6 @@ void TakeDifferences(const DicomAttributes& attributes, DicomFrame& frame)
   }
 }
 
-/// An attribute that is a table of numbers.
-std::shared_ptr<const DicomTable<std::uint16_t>> ModalityTable(
-  const DicomAttributes& attributes, bool isSigned)
-{
-  const vtkDICOMValue& items = attributes.Value(DC::ModalityLUTSequence);
-  if (!items.IsValid() || items.GetNumberOfValues() == 0)
-  {
-    return nullptr;
-  }
-  const vtkDICOMItem& item = items.GetItem(0);
-  const vtkDICOMValue& descriptor = item.Get(DC::LUTDescriptor);
-  const vtkDICOMValue& data = item.Get(DC::LUTData);
-  if (!descriptor.IsValid() || descriptor.GetNumberOfValues() != 3 || !data.IsValid())
-  {
-    return nullptr;
-  }
-  auto table = std::make_shared<DicomTable<std::uint16_t>>();
-  const int first = descriptor.GetInt(1);
-  table->first = isSigned ? std::int16_t(first) : std::uint16_t(first);
-  const std::size_t promised =
-    descriptor.GetInt(0) == 0 ? 65536 : std::uint16_t(descriptor.GetInt(0));
-  for (std::size_t i = 0; i < std::min(promised, data.GetNumberOfValues()); ++i)
-  {
-    table->entries.push_back(data.GetUnsignedShort(i));
-  }
-  return table->entries.empty() ? nullptr : table;
-}
-
-/// A stored number of the pixels' own type that the header may contain with another sign.
-double WithSignOfPixels(const DicomFile& file, double number)
-{
-  const double range = std::ldexp(1.0, file.bitsStored);
-  const double wrapped = number - range * std::floor(number / range);
-  return file.isSigned && wrapped >= 0.5 * range ? wrapped - range : wrapped;
-}
-
-void TakeValueMap(const DicomAttributes& attributes, DicomFrame& frame)
-{
-  const double slope = attributes.NumberOr(DC::RescaleSlope, 1.0);
-  frame.slope = slope == 0.0 ? 1.0 : slope;
-  frame.intercept = attributes.NumberOr(DC::RescaleIntercept, 0.0);
-  if (const auto scaling = attributes.Number(DC::DoseGridScaling))
-  {
-    frame.slope = *scaling;
-  }
-  if (!frame.file->isFloat)
-  {
-    frame.table = ModalityTable(attributes, frame.file->isSigned);
-    if (const auto padding = attributes.Number(DC::PixelPaddingValue))
-    {
-      const double other = attributes.NumberOr(DC::PixelPaddingRangeLimit, *padding);
-      const double first = WithSignOfPixels(*frame.file, *padding);
-      const double last = WithSignOfPixels(*frame.file, other);
-      frame.padding = { std::min(first, last), std::max(first, last) };
-    }
-  }
-  frame.isLossy = attributes.Text(DC::LossyImageCompression) == "01";
-}
-
 DicomFrame FrameOf(const DicomHeader& header, int number)
 {
   const DicomAttributes attributes(header.meta, number);
@@ -150,6 +89,7 @@ DicomFrame FrameOf(const DicomHeader& header, int number)
   TakeDifferences(attributes, frame);
   TakeTime(attributes, frame);
   TakeValueMap(attributes, frame);
+  frame.isLossy = attributes.Text(DC::LossyImageCompression) == "01";
   return frame;
 }
 
