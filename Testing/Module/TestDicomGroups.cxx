@@ -272,4 +272,39 @@ TEST_F(DicomGroups, FaultsAreFoundWithoutVtksWarnings)
       "\": expected the attribute Rows (0028,0010), found none.");
 }
 
+TEST_F(DicomGroups, ImagesThatShareAnIdentifierAreNoCopies)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    Elements elements = Slice(slice);
+    elements[0x00080018] = Text("UI", "1.2.3.77");
+    this->Write(std::to_string(slice), elements);
+  }
+  this->Write("copy",
+    []
+    {
+      Elements elements = Slice(1);
+      elements[0x00080018] = Text("UI", "1.2.3.77");
+      return elements;
+    }());
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("2 images have the identifier of another image, but other content");
+  this->ExpectWarning("copies of others: \"copy\".");
+}
+
+TEST_F(DicomGroups, SeriesOfOneImageEachAreJoined)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    Elements elements = Slice(slice);
+    elements[0x0020000e] = Text("UI", "1.2.3." + std::to_string(slice));
+    elements[0x00200052] = Text("UI", "1.2.52");
+    this->Write(std::to_string(slice), elements);
+  }
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("3 series of one image each were joined");
+}
+
 }

@@ -1,12 +1,13 @@
 #include "Readers/Dicom/DicomSeries.h"
 
 #include "Readers/Decoder/DicomDecoding.h"
+#include "Readers/Dicom/Copies.h"
 #include "Readers/Dicom/FileSearch.h"
+#include "Readers/Dicom/JoinedSeries.h"
 #include "Readers/FileError.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <tuple>
 
 namespace varimarch
@@ -49,9 +50,7 @@ public:
       return;
     }
     const DicomFile& file = *content.file;
-    const bool isNew =
-      file.instanceUid.empty() || this->known.insert({ file.seriesUid, file.instanceUid }).second;
-    if (!isNew)
+    if (this->copies.IsCopy(content.frames))
     {
       this->repeated.push_back(Quoted(std::filesystem::path(path).filename().string()));
       return;
@@ -78,6 +77,12 @@ public:
       this->scan.warnings.push_back("Images were left out because they are copies of others: " +
         NameList(this->repeated) + ".");
     }
+    if (this->copies.SharedUids() > 0)
+    {
+      this->scan.warnings.push_back(std::to_string(this->copies.SharedUids()) +
+        " images have the identifier of another image, but other content; all were read.");
+    }
+    JoinSingleImages(this->scan.series, this->scan.warnings);
     for (DicomSeries& series : this->scan.series)
     {
       std::stable_sort(series.frames.begin(), series.frames.end(),
@@ -94,7 +99,7 @@ public:
 
 private:
   DicomScan& scan;
-  std::set<std::pair<std::string, std::string>> known; ///< UIDs of series and images so far
+  Copies copies;
   std::vector<std::string> repeated;
   bool hasOther = false; ///< true if there are DICOM files without pixels
 };
