@@ -1,6 +1,7 @@
 // DICOM files with several frames: stacks, times, doses, mosaics.
 #include "DicomReading.h"
 #include "DicomTags.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <glm/geometric.hpp>
 
@@ -90,6 +91,65 @@ TEST_F(DicomFrames, OfAFilmAreTimes)
   EXPECT_DOUBLE_EQ(this->reader->GetTimeValue(3), 0.12);
 }
 
+// A distance of slices does not make slices of images that differ in their times.
+TEST_F(DicomFrames, OfOnePlaceAreTimesWhateverTheirThickness)
+{
+  Elements elements = File(4);
+  elements[Modality] = Text("CS", "MR");
+  elements[SlicesMm] = Decimals({ 8.0 });
+  std::vector<Elements> frames;
+  for (int i = 0; i < 4; ++i)
+  {
+    frames.push_back({ { 0x00209111,
+      Sequence({ { { 0x00209057, { "UL", Shorts({ 1, 0 }).value } },
+        { 0x00209128, { "UL", Shorts({ i + 1, 0 }).value } } } }) } });
+  }
+  elements[FrameGroups] = Sequence(frames);
+  this->ExpectSlices(elements, { 100 }, 8.0);
+  EXPECT_EQ(this->reader->GetNumberOfTimes(), 4);
+  EXPECT_EQ(this->Warnings(), "");
+}
+
+TEST_F(DicomFrames, ThatCountTheirSlicesAreStackedInThisOrder)
+{
+  Elements elements = File(3);
+  elements[Modality] = Text("CS", "MR");
+  elements[SlicesMm] = Decimals({ 3.0 });
+  std::vector<Elements> frames;
+  for (const int slice : { 1, 3, 2 })
+  {
+    frames.push_back(
+      { { 0x00209111, Sequence({ { { 0x00209057, { "UL", Shorts({ slice, 0 }).value } } } }) } });
+  }
+  elements[FrameGroups] = Sequence(frames);
+  this->ExpectSlices(elements, { 100, 102, 101 }, 3.0);
+}
+
+TEST_F(DicomFrames, LieAtTheirSliceLocations)
+{
+  Elements elements = File(3);
+  elements[Modality] = Text("CS", "OT");
+  elements[SliceThickness] = Decimals({ 1.0 });
+  elements[0x00182005] = Decimals({ 0, 2.5, 5 });
+  this->ExpectSlices(elements, { 100, 101, 102 }, 2.5);
+}
+
+TEST_F(DicomFrames, OfASlideAreRefused)
+{
+  Elements elements = File(4);
+  elements[Modality] = Text("CS", "SM");
+  elements[SliceThickness] = Decimals({ 0.001 });
+  elements[0x00480006] = { "UL", Shorts({ 10, 0 }).value };
+  elements[0x00480007] = { "UL", Shorts({ 8, 0 }).value };
+  this->Write("file.dcm", elements);
+  const ExpectedVtkErrors errors;
+  this->Read("file.dcm");
+  EXPECT_NE(std::string(this->reader->GetErrorMessage())
+              .find("expected slices of a volume, found tiles of a flat slide of 10 x 8 pixels."),
+    std::string::npos)
+    << this->reader->GetErrorMessage();
+}
+
 TEST_F(DicomFrames, OfADoseLieAtTheirOffsets)
 {
   Elements elements = File(3);
@@ -171,6 +231,7 @@ TEST_F(DicomFrames, OfAnUltrasoundVolumeArePlacedInIt)
   elements[SharedGroups] = Sequence(
     { { { 0x0020930f, Sequence({ { { 0x00209302, Decimals({ 1, 0, 0, 0, 1, 0 }) } } }) } } });
   this->ExpectSlices(elements, { 100, 101, 102 }, 0.5);
+  this->ExpectWarning("which side is the patient's left");
 }
 
 TEST_F(DicomFrames, BeforeTheEndOfATruncatedFileAreRead)
@@ -196,6 +257,23 @@ TEST_F(DicomFrames, OfUltrasoundHaveThePixelsOfTheirRegion)
   vtkImageData* const image = this->Read("file.dcm");
   EXPECT_NEAR(image->GetSpacing()[0], 0.5, 1e-12);
   EXPECT_NEAR(image->GetSpacing()[1], 1.0, 1e-12);
+}
+
+TEST_F(DicomFrames, OfUltrasoundDoNotHaveThePixelsOfATrace)
+{
+  const std::string half("\x9a\x99\x99\x99\x99\x99\xa9\x3f", 8);  // 0.05
+  const std::string tenth("\x9a\x99\x99\x99\x99\x99\xb9\x3f", 8); // 0.1
+  const auto region = [&](int format, const std::string& size)
+  {
+    return Elements{ { 0x00186012, Shorts({ format }) }, { 0x00186024, Shorts({ 3 }) },
+      { 0x00186026, Shorts({ 3 }) }, { 0x0018602c, { "FD", size } },
+      { 0x0018602e, { "FD", size } } };
+  };
+  Elements elements = Slice(0);
+  elements.erase(PixelSpacing);
+  elements[0x00186011] = Sequence({ region(3, tenth), region(1, half) });
+  this->Write("file.dcm", elements);
+  EXPECT_NEAR(this->Read("file.dcm")->GetSpacing()[0], 0.5, 1e-12);
 }
 
 TEST_F(DicomFrames, HaveThePixelsOfTheImagerOr1MmWithAWarning)

@@ -76,4 +76,34 @@ TEST_F(DicomTimes, OfEchoesAreNotTold)
   this->ExpectWarning("3 volumes that differ in their echo; only the first was read.");
 }
 
+TEST_F(DicomTimes, GoOnAfterMidnight)
+{
+  using phantom_dicom::Text;
+  const char* const dates[] = { "20260101", "20260101", "20260102" };
+  const char* const clocks[] = { "235950", "235958", "000006" };
+  for (int time = 0; time < 3; ++time)
+  {
+    for (int slice = 0; slice < 3; ++slice)
+    {
+      phantom_dicom::Elements elements = Slice(slice, 10 * time);
+      elements[dicom_tags::Intercept] = phantom_dicom::Decimals({ 1000.0 * time });
+      elements[0x00080022] = Text("DA", dates[time]);
+      elements[0x00080032] = Text("TM", clocks[time]);
+      this->Write(std::to_string((slice * 5 + time * 7) % 11), elements);
+    }
+  }
+  this->ExpectTimes({ 0.0, 8.0, 16.0 }, true);
+}
+
+TEST_F(DicomTimes, AreThePhasesOfTheBreath)
+{
+  const auto percent = [](float number)
+  {
+    return phantom_dicom::Element{ "FL",
+      std::string(reinterpret_cast<const char*>(&number), sizeof(number)) };
+  };
+  this->WriteTimes(0x00209245, { percent(0.0F), percent(50.0F), percent(100.0F) });
+  this->ExpectTimes({ 0.0, 1.0, 2.0 }, false);
+}
+
 }

@@ -181,8 +181,8 @@ void Fields(Wire& wire, DicomFrame& frame)
 {
   wire(frame.number, frame.firstPixel, frame.size, frame.positionMm, frame.axes, frame.pixelMm,
     frame.pixelAspect, frame.distanceMm, frame.isDistanceThickness, frame.heightMm,
-    frame.instanceNumber, frame.differences, frame.timeSeconds, frame.slope, frame.intercept,
-    frame.isRealWorld, frame.otherMap,
+    frame.sharesPlace, frame.isPatientSpace, frame.instanceNumber, frame.differences,
+    frame.timeSeconds, frame.slope, frame.intercept, frame.isRealWorld, frame.otherMap,
     frame.padding, frame.isLossy);
 }
 

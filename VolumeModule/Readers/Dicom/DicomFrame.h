@@ -81,13 +81,17 @@ enum class DicomDifference
   ImageType,
   Component,
   Segment,
+  View,
   Echo,
+  InversionTime,
+  FlipAngle,
   DiffusionWeighting,
   DiffusionDirection,
   Energy,
   TimePoint,
   TriggerTime,
   CardiacPhase,
+  RespiratoryPhase,
   FrameNumber,
   AcquisitionNumber,
   AcquisitionTime,
@@ -114,6 +118,9 @@ struct DicomFrame
   std::optional<double> distanceMm; ///< distance of slices that the file states
   bool isDistanceThickness = false; ///< true if distanceMm is only the thickness of the slices
   std::optional<double> heightMm;   ///< position along the normal, without a known origin
+  /// True if the file says that its frames are images of one place, or views of one thing.
+  bool sharesPlace = false;
+  bool isPatientSpace = true; ///< false for positions in a space of the transducer
   double instanceNumber = 0.0;
   std::array<std::string, std::size_t(DicomDifference::Count)> differences;
   std::optional<double> timeSeconds; ///< time since the first frame, or another fixed moment

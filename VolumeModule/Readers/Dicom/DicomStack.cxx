@@ -1,5 +1,6 @@
 #include "Readers/Dicom/DicomStack.h"
 
+#include "Readers/NumberText.h"
 #include "Readers/VolumeFile.h"
 
 #include <glm/geometric.hpp>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace varimarch
 {
@@ -18,14 +18,6 @@ constexpr int MostGapsNamed = 3;
 
 /// Part of the usual distance by which distances may vary in an even stack.
 constexpr double EvenPart = 0.01;
-
-std::string Rounded(double number)
-{
-  std::ostringstream text;
-  text.precision(4);
-  text << number;
-  return text.str();
-}
 
 }
 
@@ -120,7 +112,7 @@ bool DicomStack::IsMisplaced() const
 void DicomStack::Warn(bool isRectified, std::vector<std::string>& warnings) const
 {
   const DicomFrame& first = this->slices.frames.front();
-  if (!first.axes)
+  if (!first.axes || !first.isPatientSpace)
   {
     warnings.push_back(UnknownSides);
   }
@@ -131,18 +123,18 @@ void DicomStack::Warn(bool isRectified, std::vector<std::string>& warnings) cons
   if (this->IsTilted())
   {
     const bool isDrawnTrue = !isRectified && !this->IsUneven();
-    warnings.push_back("The gantry was tilted by " + Rounded(this->tiltDegrees) + " degrees" +
+    warnings.push_back("The gantry was tilted by " + ShortText(this->tiltDegrees) + " degrees" +
       (isDrawnTrue ? "; each slice is drawn at its true position, so shapes are correct." : "."));
   }
   this->WarnOfMissingSlices(warnings);
   if (this->IsUneven())
   {
     warnings.push_back(this->UnevenDistances() +
-      (isRectified ? "." : ", but are drawn " + Rounded(this->drawnMm) + " mm apart."));
+      (isRectified ? "." : ", but are drawn " + ShortText(this->drawnMm) + " mm apart."));
   }
   if (this->IsCrooked())
   {
-    warnings.push_back("Slices lie up to " + Rounded(this->crookedMm) +
+    warnings.push_back("Slices lie up to " + ShortText(this->crookedMm) +
       " mm beside the straight line from the first to the last" +
       (isRectified ? "." : ", but are drawn on it."));
   }
@@ -171,7 +163,7 @@ void DicomStack::WarnOfMissingSlices(std::vector<std::string>& warnings) const
 std::string DicomStack::UnevenDistances() const
 {
   const auto [narrowest, widest] = std::minmax_element(this->gapsMm.begin(), this->gapsMm.end());
-  return "Slices are " + Rounded(*narrowest) + " to " + Rounded(*widest) +
+  return "Slices are " + ShortText(*narrowest) + " to " + ShortText(*widest) +
     " mm apart, farthest between " + this->NamesOfGap(std::size_t(widest - this->gapsMm.begin()));
 }
 

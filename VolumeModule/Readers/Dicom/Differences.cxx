@@ -15,10 +15,10 @@ namespace
 
 /// Names of DicomDifference for warnings.
 constexpr std::array<const char*, std::size_t(DicomDifference::Count)> DifferenceNames = {
-  "kind of image", "component of complex numbers", "segment", "echo", "b-value",
-  "diffusion direction", "energy", "time point", "trigger time", "phase of the heart",
-  "frame number", "acquisition number", "acquisition time", "reconstruction kernel", "stack",
-  "time of day"
+  "kind of image", "component of complex numbers", "segment", "view", "echo", "inversion time",
+  "flip angle", "b-value", "diffusion direction", "energy", "time point", "trigger time",
+  "phase of the heart", "phase of the breath", "frame number", "acquisition number",
+  "acquisition time", "reconstruction kernel", "stack", "time of day"
 };
 
 using FrameSet = std::vector<PlacedFrame>;
@@ -110,10 +110,10 @@ std::size_t MostPlaces(const std::vector<FrameSet>& sets)
 /// True for attributes by which frames follow each other in time.
 bool IsTime(std::size_t difference)
 {
-  constexpr std::array<DicomDifference, 7> Times = { DicomDifference::TimePoint,
-    DicomDifference::TriggerTime, DicomDifference::CardiacPhase, DicomDifference::FrameNumber,
-    DicomDifference::AcquisitionNumber, DicomDifference::AcquisitionTime,
-    DicomDifference::ContentTime };
+  constexpr std::array<DicomDifference, 8> Times = { DicomDifference::TimePoint,
+    DicomDifference::TriggerTime, DicomDifference::CardiacPhase, DicomDifference::RespiratoryPhase,
+    DicomDifference::FrameNumber, DicomDifference::AcquisitionNumber,
+    DicomDifference::AcquisitionTime, DicomDifference::ContentTime };
   return std::find(Times.begin(), Times.end(), DicomDifference(difference)) != Times.end();
 }
 

@@ -2,6 +2,7 @@
 
 #include "Readers/Dicom/Attributes.h"
 #include "Readers/Dicom/FileHeader.h"
+#include "Readers/Dicom/FrameOrder.h"
 #include "Readers/Dicom/FramePlaces.h"
 #include "Readers/Dicom/Mosaic.h"
 #include "Readers/Dicom/ValueMaps.h"
@@ -22,28 +23,34 @@ const std::array<std::vector<vtkDICOMTag>, std::size_t(DicomDifference::Count)> 
   { DC::FrameType, DC::ImageType },
   { DC::ComplexImageComponent },
   { DC::ReferencedSegmentNumber },
+  {},
   { DC::EffectiveEchoTime, DC::EchoTime, DC::EchoNumbers },
+  { DC::InversionTimes, DC::InversionTime },
+  { DC::FlipAngle },
   { DC::DiffusionBValue },
   { DC::DiffusionGradientOrientation },
   {},
   { DC::TemporalPositionIndex, DC::TemporalPositionIdentifier },
   { DC::NominalCardiacTriggerDelayTime, DC::TriggerTime },
   { DC::NominalPercentageOfCardiacPhase },
+  { DC::NominalPercentageOfRespiratoryPhase },
   {},
   { DC::FrameAcquisitionNumber, DC::AcquisitionNumber },
-  { DC::FrameAcquisitionDateTime, DC::AcquisitionDateTime, DC::AcquisitionTime },
+  { DC::FrameAcquisitionDateTime, DC::AcquisitionDateTime },
   { DC::ConvolutionKernel },
   { DC::StackID },
-  { DC::ContentTime },
+  {},
 } };
 
-/// Frame by frame values of nuclear medicine, and the difference that they tell.
-const std::pair<vtkDICOMTag, DicomDifference> NuclearVectors[] = {
-  { DC::EnergyWindowVector, DicomDifference::Energy },
-  { DC::RRIntervalVector, DicomDifference::CardiacPhase },
-  { DC::TimeSlotVector, DicomDifference::TriggerTime },
-  { DC::PhaseVector, DicomDifference::TimePoint },
-  { DC::TimeSliceVector, DicomDifference::TimePoint },
+/// Times of day, which count only with their dates: a scan may go on after midnight.
+const struct
+{
+  DicomDifference difference;
+  vtkDICOMTag date;
+  vtkDICOMTag time;
+} ClockTags[] = {
+  { DicomDifference::AcquisitionTime, DC::AcquisitionDate, DC::AcquisitionTime },
+  { DicomDifference::ContentTime, DC::ContentDate, DC::ContentTime },
 };
 
 /// Takes the time that the file states for a frame, in seconds, or for a slice of PET in ms.
@@ -68,13 +75,15 @@ void TakeDifferences(const DicomAttributes& attributes, DicomFrame& frame)
         frame.differences[i].empty() ? attributes.Text(tag) : frame.differences[i];
     }
   }
-  for (const auto& [tag, difference] : NuclearVectors)
+  for (const auto& clock : ClockTags)
   {
-    const vtkDICOMValue& values = attributes.Value(tag);
-    if (values.IsValid() && values.GetNumberOfValues() > std::size_t(frame.number))
-    {
-      frame.differences[std::size_t(difference)] += " " + values.GetString(frame.number);
-    }
+    constexpr std::size_t DateDigits = 8;
+    std::string& moment = frame.differences[std::size_t(clock.difference)];
+    const std::string date = attributes.Text(clock.date);
+    const std::string time = attributes.Text(clock.time);
+    const bool hasDate = date.size() == DateDigits && !time.empty();
+    moment = moment.empty() ? (hasDate ? date : "") + time : moment;
+    moment = moment.substr(0, moment.find_first_of("+-")); // all have one time zone
   }
 }
 
@@ -119,6 +128,11 @@ DicomContent ReadDicomContent(const std::string& path)
   DicomContent content = { header.meta != nullptr, header.file, {}, header.fault };
   if (!header.file || header.completeFrames == 0)
   {
+    return content;
+  }
+  if (const auto fault = FaultOfTiles(header.meta, *header.file))
+  {
+    content.fault = fault;
     return content;
   }
   content.frames = FramesOf(header);

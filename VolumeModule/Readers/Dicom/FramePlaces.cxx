@@ -1,6 +1,7 @@
 #include "Readers/Dicom/FramePlaces.h"
 
 #include "Readers/Dicom/Attributes.h"
+#include "Readers/Dicom/FrameOrder.h"
 
 #include <vtkDICOMDictHash.h>
 
@@ -34,19 +35,37 @@ std::optional<glm::dvec3> PositionOf(const DicomAttributes& attributes)
   return position ? position : attributes.Numbers<glm::dvec3>(detector);
 }
 
-/// Size of the pixels of the first region of an ultrasound image that is measured in cm.
+/// Size of the pixels of the first region of an ultrasound image that is measured in cm along both
+/// axes: that of a picture of tissue, if there is one, as other regions show traces over time.
 std::optional<glm::dvec2> RegionPixelMm(const DicomAttributes& attributes)
 {
   constexpr double UnitIsCm = 3.0;
   constexpr double MmPerCm = 10.0;
-  const auto number = [&](vtkDICOMTag tag)
-  { return attributes.Number(vtkDICOMTagPath(DC::SequenceOfUltrasoundRegions, 0, tag)); };
-  const auto x = number(DC::PhysicalDeltaX);
-  const auto y = number(DC::PhysicalDeltaY);
-  const bool isLength = number(DC::PhysicalUnitsXDirection) == UnitIsCm &&
-    number(DC::PhysicalUnitsYDirection) == UnitIsCm;
-  return x && y && isLength ? std::optional<glm::dvec2>(MmPerCm * glm::abs(glm::dvec2(*x, *y)))
-                            : std::nullopt;
+  constexpr double IsTissue = 1.0;
+  const vtkDICOMValue& regions = attributes.Value(DC::SequenceOfUltrasoundRegions);
+  std::optional<glm::dvec2> pixelMm;
+  for (std::size_t i = 0; regions.IsValid() && i < regions.GetNumberOfValues(); ++i)
+  {
+    const auto number = [&](vtkDICOMTag tag)
+    {
+      return attributes.Number(
+        vtkDICOMTagPath(DC::SequenceOfUltrasoundRegions, static_cast<unsigned int>(i), tag));
+    };
+    const auto x = number(DC::PhysicalDeltaX);
+    const auto y = number(DC::PhysicalDeltaY);
+    const bool isLength = number(DC::PhysicalUnitsXDirection) == UnitIsCm &&
+      number(DC::PhysicalUnitsYDirection) == UnitIsCm;
+    const bool isTissue = number(DC::RegionSpatialFormat) == IsTissue;
+    if (x && y && isLength && (!pixelMm || isTissue))
+    {
+      pixelMm = MmPerCm * glm::abs(glm::dvec2(*x, *y));
+      if (isTissue)
+      {
+        break;
+      }
+    }
+  }
+  return pixelMm;
 }
 
 /// Distances of columns and of rows, from the attribute that the kind of file has.
@@ -71,6 +90,7 @@ void PlaceFrame(const DicomAttributes& attributes, DicomFrame& frame)
 {
   frame.axes = AxesOf(attributes);
   frame.positionMm = PositionOf(attributes);
+  frame.isPatientSpace = !attributes.Value(DC::ImagePositionVolume).IsValid();
   frame.pixelMm = PixelMmOf(attributes);
   const auto aspect = attributes.Numbers<glm::dvec2>(DC::PixelAspectRatio);
   frame.pixelAspect = aspect && aspect->x > 0.0 && aspect->y > 0.0 ? aspect->y / aspect->x : 1.0;
@@ -95,58 +115,6 @@ bool HavePlacesOfTheirOwn(vtkDICOMMetaData* meta)
   const DicomAttributes shared(meta, -1);
   const DicomAttributes first(meta, 0);
   return PositionOf(first).has_value() && !PositionOf(shared).has_value();
-}
-
-/// True for frames that a file describes as a film.
-bool IsFilm(const DicomAttributes& attributes)
-{
-  return attributes.Value(DC::FrameTime).IsValid() ||
-    attributes.Value(DC::FrameTimeVector).IsValid();
-}
-
-/// Signs of the directions that offsets of doses count in: along z for positions, along the normal
-/// for distances from the first frame (PS3.3 C.8.8.3.2).
-double DoseSign(const DicomFrame& frame, double firstOffset)
-{
-  const bool isPosition = firstOffset != 0.0;
-  return isPosition && frame.axes && glm::cross((*frame.axes)[0], (*frame.axes)[1]).z < 0.0 ? -1.0
-                                                                                            : 1.0;
-}
-
-/// Offsets of all frames from the first along the normal [mm]; empty for a film.
-std::vector<double> OffsetsMm(
-  const DicomAttributes& attributes, const std::vector<DicomFrame>& frames)
-{
-  const DicomFrame& first = frames.front();
-  const auto count = std::size_t(first.file->frameCount);
-  std::vector<double> offsets;
-  const vtkDICOMValue& dose = attributes.Value(DC::GridFrameOffsetVector);
-  if (dose.IsValid() && dose.GetNumberOfValues() == count)
-  {
-    offsets.resize(count);
-    dose.GetValues(offsets.data(), count);
-    const double start = offsets.front();
-    const double sign = DoseSign(first, start);
-    std::transform(offsets.begin(), offsets.end(), offsets.begin(),
-      [&](double offset) { return sign * (offset - start); });
-    return offsets;
-  }
-  const bool isTomography = first.file->modality == "CT" || first.file->modality == "PT";
-  if (IsFilm(attributes) && !isTomography)
-  {
-    return offsets;
-  }
-  const vtkDICOMValue& slices = attributes.Value(DC::SliceVector);
-  const bool hasSlices = slices.IsValid() && slices.GetNumberOfValues() == count;
-  if (first.distanceMm || isTomography || hasSlices)
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double index = hasSlices ? slices.GetDouble(i) - slices.GetDouble(0) : double(i);
-      offsets.push_back(index * first.distanceMm.value_or(1.0));
-    }
-  }
-  return offsets;
 }
 
 void Stack(const std::vector<double>& offsetsMm, std::vector<DicomFrame>& frames)
@@ -175,6 +143,7 @@ void MakeFilm(const DicomAttributes& attributes, std::vector<DicomFrame>& frames
   for (DicomFrame& frame : frames)
   {
     frame.heightMm = 0.0;
+    frame.sharesPlace = true;
     frame.differences[std::size_t(DicomDifference::FrameNumber)] = std::to_string(frame.number + 1);
     if (hasSteps)
     {
@@ -188,19 +157,46 @@ void MakeFilm(const DicomAttributes& attributes, std::vector<DicomFrame>& frames
   }
 }
 
+bool IsRadiograph(const DicomFrame& frame)
+{
+  constexpr const char* Radiographs[] = { "CR", "DX", "MG", "IO", "PX", "RG" };
+  const std::string& modality = frame.file->modality;
+  return frame.file->frameCount == 1 && !frame.positionMm &&
+    std::find(std::begin(Radiographs), std::end(Radiographs), modality) != std::end(Radiographs);
+}
+
+/// Makes a radiograph a view by its side, its direction and its number.
+void MakeView(const DicomAttributes& attributes, DicomFrame& frame)
+{
+  std::string& view = frame.differences[std::size_t(DicomDifference::View)];
+  for (const vtkDICOMTag tag : { DC::ImageLaterality, DC::ViewPosition, DC::InstanceNumber })
+  {
+    const std::string text = attributes.Text(tag);
+    view += (view.empty() || text.empty() ? "" : " ") + text;
+  }
+  frame.heightMm = 0.0;
+  frame.sharesPlace = true;
+}
+
 }
 
 void PlaceFrames(vtkDICOMMetaData* meta, std::vector<DicomFrame>& frames)
 {
   for (DicomFrame& frame : frames)
   {
-    PlaceFrame(DicomAttributes(meta, frame.number), frame);
+    const DicomAttributes attributes(meta, frame.number);
+    PlaceFrame(attributes, frame);
+    if (IsRadiograph(frame))
+    {
+      MakeView(attributes, frame);
+    }
   }
+  TakeVectors(meta, frames);
   if (frames.empty() || frames.front().file->frameCount == 1 || HavePlacesOfTheirOwn(meta))
   {
     return;
   }
-  const std::vector<double> offsetsMm = OffsetsMm(DicomAttributes(meta), frames);
+  const std::vector<double> offsetsMm = OffsetsMm(meta, frames);
   if (!offsetsMm.empty())
   {
     Stack(offsetsMm, frames);

@@ -9,8 +9,8 @@ namespace varimarch
 {
 
 /// Sets the positions, directions and distances of pixels and slices of a file's frames. Frames
-/// without positions of their own are stacked along their normal if the kind of file says so;
-/// otherwise they are images of one place at different times.
+/// without positions of their own are stacked along their normal as OffsetsMm says, or else are
+/// images of one place. Radiographs without positions are views, not slices.
 /// @param frames  the first frames of the file, in order
 void PlaceFrames(vtkDICOMMetaData* meta, std::vector<DicomFrame>& frames);
 

@@ -137,10 +137,9 @@ std::vector<double> HeightsMm(
     });
   const std::vector<double> stated =
     HeightsBy(frames, [](const DicomFrame& frame) { return frame.heightMm; });
-  const bool isFilm =
-    !frames.front().differences[std::size_t(DicomDifference::FrameNumber)].empty();
-  const bool areStated = !stated.empty() && (Vary(stated) || isFilm);
-  hasPositions = !fromPositions.empty() && (Vary(fromPositions) || !areStated || isFilm);
+  const bool shareOne = frames.front().sharesPlace;
+  const bool areStated = !stated.empty() && (Vary(stated) || shareOne);
+  hasPositions = !fromPositions.empty() && (Vary(fromPositions) || !areStated || shareOne);
   if (hasPositions)
   {
     return fromPositions;
