@@ -128,6 +128,7 @@ void vtkVolumeFileReader::ReadFileOrThrow(int time, varimarch::ReadProgress& pro
   options.raw.headerBytes = this->RawHeaderBytes;
   options.raw.bigEndian = this->RawBigEndian;
   options.series = this->DICOMSeriesUID;
+  options.kind = this->DICOMKind;
   options.mostMemoryBytes = std::uint64_t(this->MaximumHostMemory);
   options.rectify = this->RectifySlices ? varimarch::Rectify::Always
     : this->RectifyMisplacedSlices      ? varimarch::Rectify::Misplaced
@@ -272,6 +273,18 @@ int vtkVolumeFileReader::RequestData(
 bool vtkVolumeFileReader::IsPreview()
 {
   return this->Read->IsPreview;
+}
+
+int vtkVolumeFileReader::GetNumberOfDICOMKinds()
+{
+  return int(this->Read->Volume.kinds.size());
+}
+
+const char* vtkVolumeFileReader::GetDICOMKindName(int kind)
+{
+  const std::vector<std::string>& kinds = this->Read->Volume.kinds;
+  const bool isKnown = kind >= 1 && kind <= int(kinds.size());
+  return isKnown ? kinds[std::size_t(kind) - 1].c_str() : "";
 }
 
 bool vtkVolumeFileReader::HasVoxelsOnDisk()

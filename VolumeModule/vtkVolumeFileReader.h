@@ -137,6 +137,19 @@ public:
 
   ///@{
   /**
+   * The kind of volume to read of a DICOM series that holds several, counted from 1: images of
+   * another echo, b-value, view, direction or station, which are no times of one volume.
+   * GetDICOMKindName() are what tells each from the others, such as "echo 20", after Update().
+   * Default: 0, the first; the warnings then list all.
+   */
+  vtkSetClampMacro(DICOMKind, int, 0, VTK_INT_MAX);
+  vtkGetMacro(DICOMKind, int);
+  int GetNumberOfDICOMKinds();
+  const char* GetDICOMKindName(int kind);
+  ///@}
+
+  ///@{
+  /**
    * Resample a DICOM series to an even, orthogonal grid if its gantry was tilted, or if its slices
    * are unevenly spaced or missing. Otherwise the output keeps the shear of a tilt in its direction
    * matrix, and its slices are placed at even distances. A regular series is never resampled.
@@ -350,6 +363,7 @@ private:
   vtkTypeInt64 RawHeaderBytes = 0;
   bool RawBigEndian = false;
   std::string DICOMSeriesUID;
+  int DICOMKind = 0;
   bool RectifySlices = false;
   bool RectifyMisplacedSlices = false;
   int ResolutionLevel = -1;

@@ -15,6 +15,7 @@ void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RawHeaderBytes: " << this->RawHeaderBytes << '\n';
   os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
   os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
+  os << indent << "DICOMKind: " << this->DICOMKind << '\n';
   os << indent << "RectifySlices: " << this->RectifySlices << '\n';
   os << indent << "RectifyMisplacedSlices: " << this->RectifyMisplacedSlices << '\n';
   os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << '\n';

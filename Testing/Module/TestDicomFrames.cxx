@@ -125,6 +125,22 @@ TEST_F(DicomFrames, ThatCountTheirSlicesAreStackedInThisOrder)
   this->ExpectSlices(elements, { 100, 102, 101 }, 3.0);
 }
 
+TEST_F(DicomFrames, OfSeveralDetectorsOrAnglesAreViews)
+{
+  for (const std::uint32_t vector : { 0x00540020u, 0x00540090u })
+  {
+    Elements elements = File(2);
+    elements[Modality] = Text("CS", "NM");
+    elements[SliceThickness] = Decimals({ 2.4 });
+    elements[vector] = Shorts({ 1, 2 });
+    this->reader->SetDICOMKind(0);
+    this->ExpectSlices(elements, { 100 }, 2.4);
+    this->ExpectWarning("1 (view 1: frame 1 of \"file.dcm\"), 2 (view 2: frame 2 of ");
+    this->reader->SetDICOMKind(2);
+    this->ExpectSlices(elements, { 101 }, 2.4);
+  }
+}
+
 TEST_F(DicomFrames, LieAtTheirSliceLocations)
 {
   Elements elements = File(3);
@@ -201,7 +217,7 @@ TEST_F(DicomFrames, OfSeveralDirectionsAreNotStacked)
   Elements elements = EnhancedFile({ 0, 3, 6, 9 }, { axial, sagittal, axial, axial });
   elements.erase(Orientation);
   this->ExpectSlices(elements, { 100, 102, 103 }, 3.0);
-  this->ExpectWarning("their direction differs from that of the others: frame 2 of \"file.dcm\".");
+  this->ExpectWarning("2 (sagittal: frame 2 of \"file.dcm\")");
 }
 
 TEST_F(DicomFrames, OfSeveralTimesAreRead)

@@ -26,6 +26,17 @@ protected:
     this->Write(std::to_string((slice * 5 + volume * 7) % 11), elements);
   }
 
+  /// Writes an axial slice.
+  void WriteAt(const std::vector<double>& positionMm, int number, const Elements& more = {})
+  {
+    Elements elements = more;
+    elements.insert({ Orientation, Decimals({ 1, 0, 0, 0, 1, 0 }) });
+    elements.insert({ Position, Decimals(positionMm) });
+    elements.insert({ InstanceNumber, Text("IS", std::to_string(number)) });
+    elements.merge(Slice(0, number));
+    this->Write("slice" + std::to_string(number), elements);
+  }
+
   /// Writes slices at these heights [mm].
   void WriteHeights(const std::vector<double>& heightsMm)
   {
@@ -136,15 +147,141 @@ TEST_F(DicomGroups, SlicesWithOtherPixelsAreLeftOut)
   this->Write("wide", wide);
   this->Read();
   this->ExpectPhantom();
-  this->ExpectWarning("the size of their pixels differs from that of the others: \"wide\".");
+  this->ExpectWarning("2 (pixels of 1.4 x 2.2 mm: \"wide\")");
 }
 
-TEST_F(DicomGroups, AScoutFarAwayIsLeftOut)
+TEST_F(DicomGroups, AScoutFarAwayIsAKindOfItsOwn)
 {
   this->WriteHeights({ 30.0, 32.5, 35.0, 37.5, 200.0 });
   EXPECT_EQ(this->Read()->GetDimensions()[2], 4);
   EXPECT_NEAR(this->reader->GetOutput()->GetSpacing()[2], 2.5, 1e-9);
-  this->ExpectWarning("lie far from the others: \"slice4\".");
+  this->ExpectWarning("2 (slice at 200 mm: \"slice4\")");
+}
+
+// Both breasts in one series: what lies between them must not be closed.
+TEST_F(DicomGroups, PartsBeyondAWideGapAreKinds)
+{
+  this->WriteHeights({ -60, -57.5, -55, 40, 42.5, 45, 47.5 });
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 4);
+  EXPECT_NEAR(this->reader->GetOutput()->GetOrigin()[2], 40.0, 1e-9);
+  this->ExpectWarning("1 (slices from 40 to 47.5 mm: ");
+  this->reader->SetDICOMKind(2);
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 3);
+  EXPECT_NEAR(this->reader->GetOutput()->GetOrigin()[2], -60.0, 1e-9);
+}
+
+TEST_F(DicomGroups, TimesBetweenEachOthersSlicesAreNotMixed)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    this->WriteAt({ 0, 0, 1.25 * i }, i, { { TimePoint, Text("IS", std::to_string(i % 2 + 1)) } });
+  }
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 4) << this->Warnings();
+  EXPECT_NEAR(this->reader->GetOutput()->GetSpacing()[2], 2.5, 1e-9);
+  EXPECT_EQ(this->reader->GetNumberOfTimes(), 2);
+  this->reader->SetTimeIndex(1);
+  EXPECT_NEAR(this->Read()->GetOrigin()[2], 1.25, 1e-9);
+  EXPECT_EQ(this->Warnings(), "");
+}
+
+TEST_F(DicomGroups, SlicesAcquiredInTurnsStayTogether)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    this->WriteAt({ 0, 0, 2.5 * i }, i,
+      { { AcquisitionNumber, Text("IS", std::to_string(i % 2 + 1)) },
+        { SliceThickness, Decimals({ 2.5 }) } });
+  }
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 8) << this->Warnings();
+  EXPECT_EQ(this->Warnings(), "");
+}
+
+TEST_F(DicomGroups, AcquisitionsBetweenThickSlicesAreTimes)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    this->WriteAt({ 0, 0, 2.5 * i }, i,
+      { { AcquisitionNumber, Text("IS", std::to_string(i % 2 + 1)) },
+        { SliceThickness, Decimals({ 5.0 }) } });
+  }
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 4) << this->Warnings();
+  EXPECT_EQ(this->reader->GetNumberOfTimes(), 2);
+}
+
+// Images have 5 x 4 pixels of 0.7 x 1.1 mm.
+TEST_F(DicomGroups, StationsOfATableAreNoTimes)
+{
+  for (int i = 0; i < 8; ++i)
+  {
+    this->WriteAt({ 0, i < 4 ? 0.0 : 4.0, 2.5 * (i % 4) }, i,
+      { { AcquisitionNumber, Text("IS", std::to_string(i / 4 + 1)) } });
+  }
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 4) << this->Warnings();
+  EXPECT_EQ(this->reader->GetNumberOfTimes(), 1);
+  this->ExpectWarning("2 (station 2, 4 mm beside the first: ");
+  this->reader->SetDICOMKind(2);
+  EXPECT_NEAR(this->Read()->GetOrigin()[1], 4.0, 1e-9);
+}
+
+TEST_F(DicomGroups, AMovedRepeatIsSaidToLieBeside)
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    this->WriteAt({ 0, 0, 2.5 * i }, i);
+  }
+  this->WriteAt({ 0.5, 0, 2.5 }, 5);
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 4) << this->Warnings();
+  this->ExpectWarning("others lie at the same height, up to 0.5 mm beside them");
+}
+
+TEST_F(DicomGroups, ImagesThatShareAnIdentifierAreNoCopies)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    Elements elements = Slice(slice);
+    elements[0x00080018] = Text("UI", "1.2.3.77");
+    this->Write(std::to_string(slice), elements);
+  }
+  this->Write("copy",
+    []
+    {
+      Elements elements = Slice(1);
+      elements[0x00080018] = Text("UI", "1.2.3.77");
+      return elements;
+    }());
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("2 images have the identifier of another image, but other content");
+  this->ExpectWarning("copies of others: \"copy\".");
+}
+
+TEST_F(DicomGroups, SeriesOfOneImageEachAreJoined)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    Elements elements = Slice(slice);
+    elements[0x0020000e] = Text("UI", "1.2.3." + std::to_string(slice));
+    elements[0x00200052] = Text("UI", "1.2.52");
+    this->Write(std::to_string(slice), elements);
+  }
+  this->Read();
+  this->ExpectPhantom();
+  this->ExpectWarning("3 series of one image each were joined");
+}
+
+TEST_F(DicomGroups, RadiographsAreViews)
+{
+  for (int view = 0; view < 2; ++view)
+  {
+    Elements elements = Slice(view);
+    elements.erase(Position);
+    elements[Modality] = Text("CS", "DX");
+    elements[InstanceNumber] = Text("IS", std::to_string(view + 1));
+    elements[0x00185101] = Text("CS", view == 0 ? "AP" : "LL");
+    this->Write(std::to_string(view), elements);
+  }
+  EXPECT_EQ(this->Read()->GetDimensions()[2], 1);
+  this->ExpectWarning("1 (view AP 1: \"0\"), 2 (view LL 2: \"1\")");
 }
 
 TEST_F(DicomGroups, UnevenSlicesAreDrawnAtTheirUsualDistance)
@@ -270,41 +407,6 @@ TEST_F(DicomGroups, FaultsAreFoundWithoutVtksWarnings)
   EXPECT_EQ(std::string(this->reader->GetErrorMessage()),
     "Cannot read \"" + this->folder.Path("scan/norows") +
       "\": expected the attribute Rows (0028,0010), found none.");
-}
-
-TEST_F(DicomGroups, ImagesThatShareAnIdentifierAreNoCopies)
-{
-  for (int slice = 0; slice < 3; ++slice)
-  {
-    Elements elements = Slice(slice);
-    elements[0x00080018] = Text("UI", "1.2.3.77");
-    this->Write(std::to_string(slice), elements);
-  }
-  this->Write("copy",
-    []
-    {
-      Elements elements = Slice(1);
-      elements[0x00080018] = Text("UI", "1.2.3.77");
-      return elements;
-    }());
-  this->Read();
-  this->ExpectPhantom();
-  this->ExpectWarning("2 images have the identifier of another image, but other content");
-  this->ExpectWarning("copies of others: \"copy\".");
-}
-
-TEST_F(DicomGroups, SeriesOfOneImageEachAreJoined)
-{
-  for (int slice = 0; slice < 3; ++slice)
-  {
-    Elements elements = Slice(slice);
-    elements[0x0020000e] = Text("UI", "1.2.3." + std::to_string(slice));
-    elements[0x00200052] = Text("UI", "1.2.52");
-    this->Write(std::to_string(slice), elements);
-  }
-  this->Read();
-  this->ExpectPhantom();
-  this->ExpectWarning("3 series of one image each were joined");
 }
 
 }

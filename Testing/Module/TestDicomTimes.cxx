@@ -1,6 +1,7 @@
 // The times of a DICOM series, by the attributes that tell its volumes apart.
 #include "DicomReading.h"
 #include "DicomTags.h"
+#include "Support/ExpectedVtkErrors.h"
 
 #include <gtest/gtest.h>
 
@@ -73,7 +74,28 @@ TEST_F(DicomTimes, OfEchoesAreNotTold)
   this->Read();
   this->ExpectPhantom();
   EXPECT_EQ(this->reader->GetNumberOfTimes(), 1);
-  this->ExpectWarning("3 volumes that differ in their echo; only the first was read.");
+  this->ExpectWarning("The series holds 3 kinds of volume, of which the first was read: 1 (echo "
+                      "10: ");
+}
+
+TEST_F(DicomTimes, OfEachEchoCanBeRead)
+{
+  using phantom_dicom::Decimals;
+  this->WriteTimes(0x00180081, { Decimals({ 10 }), Decimals({ 20 }), Decimals({ 30 }) });
+  for (const int kind : { 3, 1, 2 })
+  {
+    this->reader->SetDICOMKind(kind);
+    this->Read();
+    this->ExpectPhantom(1000.0 * (kind - 1));
+    EXPECT_EQ(this->Warnings(), "");
+  }
+  ASSERT_EQ(this->reader->GetNumberOfDICOMKinds(), 3);
+  EXPECT_STREQ(this->reader->GetDICOMKindName(3), "echo 30");
+  const ExpectedVtkErrors errors;
+  this->reader->SetDICOMKind(4);
+  this->Read();
+  EXPECT_NE(std::string(this->reader->GetErrorMessage()).find("3: 1 (echo 10: "), std::string::npos)
+    << this->reader->GetErrorMessage();
 }
 
 TEST_F(DicomTimes, GoOnAfterMidnight)
@@ -104,6 +126,34 @@ TEST_F(DicomTimes, AreThePhasesOfTheBreath)
   };
   this->WriteTimes(0x00209245, { percent(0.0F), percent(50.0F), percent(100.0F) });
   this->ExpectTimes({ 0.0, 1.0, 2.0 }, false);
+}
+
+// Each slice of a cine scan has its own times after the R wave, so that no value is shared.
+TEST_F(DicomTimes, AreThoseByRankWhereSlicesShareNoValue)
+{
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    for (int time = 0; time < 3; ++time)
+    {
+      phantom_dicom::Elements elements = Slice(slice, 10 * time);
+      elements[dicom_tags::Intercept] = phantom_dicom::Decimals({ 1000.0 * time });
+      elements[0x00181060] = phantom_dicom::Decimals({ time * (33.0 + slice) });
+      elements[dicom_tags::InstanceNumber] =
+        phantom_dicom::Text("IS", std::to_string(3 * slice + time));
+      this->Write(std::to_string((slice * 5 + time * 7) % 11), elements);
+    }
+  }
+  for (const int time : { 0, 2, 1 })
+  {
+    this->reader->SetTimeIndex(time);
+    this->Read();
+    this->ExpectPhantom(1000.0 * time);
+  }
+  ASSERT_EQ(this->reader->GetNumberOfTimes(), 3);
+  EXPECT_NEAR(this->reader->GetTimeValue(2), 0.066, 1e-9);
+  this->ExpectWarning(
+    "Each place has 3 images, and no value tells which of different places belong "
+    "together; they were taken for times in the order of their trigger time.");
 }
 
 }

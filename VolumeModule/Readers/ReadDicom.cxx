@@ -102,12 +102,35 @@ std::vector<DicomFault> FaultsOf(const DicomScan& scan, const DicomSeries& serie
   return faults;
 }
 
+/// The kind of volume to read.
+/// @throws std::runtime_error, with a list of all kinds, if there is none of the wanted number
+const DicomVolumes& KindWanted(const std::string& path, const std::vector<DicomVolumes>& kinds,
+  const ReadOptions& options, std::vector<std::string>& warnings)
+{
+  if (options.kind < 0 || options.kind > int(kinds.size()))
+  {
+    FailToRead(path, "the kind of volume " + std::to_string(options.kind),
+      std::to_string(kinds.size()) + ": " + KindList(kinds));
+  }
+  if (options.kind == 0 && kinds.size() > 1)
+  {
+    warnings.push_back("The series holds " + std::to_string(kinds.size()) +
+      " kinds of volume, of which the first was read: " + KindList(kinds) + ".");
+  }
+  const DicomVolumes& wanted = kinds[std::size_t(std::max(options.kind, 1)) - 1];
+  warnings.insert(warnings.end(), wanted.warnings.begin(), wanted.warnings.end());
+  return wanted;
+}
+
 /// Reads the images of a series as slices of a volume.
 Volume ReadSlices(const std::string& path, const DicomSeries& series, const ReadOptions& options,
   ReadProgress& progress)
 {
   Volume volume;
-  const DicomVolumes volumes = VolumesOf(series.frames, volume.warnings);
+  const std::vector<DicomVolumes> kinds = KindsOf(series.frames);
+  const DicomVolumes& volumes = KindWanted(path, kinds, options, volume.warnings);
+  std::transform(kinds.begin(), kinds.end(), std::back_inserter(volume.kinds),
+    [](const DicomVolumes& kind) { return kind.name; });
   TakeTimes(path, volumes.times, options, volume);
   const StoredSlices stored =
     DecodedSlices(path, SlicesOf(volumes, options.time, volume.warnings), progress);

@@ -73,6 +73,9 @@ struct Volume
   bool holdsColors = false; ///< true if the components of a voxel are its colour
   /// The components if they are independent and the file tells about each; otherwise empty.
   std::vector<VolumeChannel> channels;
+  /// Names of the kinds of volume that a DICOM series holds, of which one was read; empty for other
+  /// formats. A single one may have no name.
+  std::vector<std::string> kinds;
 };
 
 /// The warning for files without orientation.
@@ -126,6 +129,7 @@ struct ReadOptions
 {
   RawOptions raw;
   std::string series; ///< the DICOM series to read, see SeriesNamed
+  int kind = 0;       ///< the kind of volume in it, see KindsOf, counted from 1; 0: the first
   Rectify rectify = Rectify::Never;
   std::int64_t time = 0;      ///< the time to read, counted from 0
   bool filesAreTimes = false; ///< true if the files of a folder, or of one name, are times

@@ -61,7 +61,8 @@ void Fields(Wire& wire, RawOptions& raw)
 template <class Wire>
 void Fields(Wire& wire, ReadOptions& options)
 {
-  wire(options.raw, options.series, options.rectify, options.level, options.time, options.channel);
+  wire(options.raw, options.series, options.kind, options.rectify, options.level, options.time,
+    options.channel);
 }
 
 template <class Wire>
@@ -95,7 +96,7 @@ void Fields(Wire& wire, Volume& volume)
   wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
     volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
     volume.isRectified, volume.segments, volume.uptakeValueFactor, volume.frameOfReference,
-    volume.times, volume.showsPatient, volume.holdsColors, volume.channels);
+    volume.times, volume.showsPatient, volume.holdsColors, volume.channels, volume.kinds);
 }
 
 template <class Wire>

@@ -1,9 +1,12 @@
 #include "Readers/Dicom/Differences.h"
 
+#include "Readers/Dicom/Grouping.h"
 #include "Readers/NumberText.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -20,8 +23,6 @@ constexpr std::array<const char*, std::size_t(DicomDifference::Count)> Differenc
   "phase of the heart", "phase of the breath", "frame number", "acquisition number",
   "acquisition time", "reconstruction kernel", "stack", "time of day"
 };
-
-using FrameSet = std::vector<PlacedFrame>;
 
 std::set<int> PlacesOf(const FrameSet& frames)
 {
@@ -96,6 +97,104 @@ bool LieOverEachOther(const std::vector<FrameSet>& sets)
   return uncovered == 0 || (uncovered == 1 && isLargestUncovered);
 }
 
+/// The heights of the places of frames, in ascending order.
+std::vector<double> HeightsOfPlaces(const FrameSet& frames)
+{
+  std::map<int, double> heights;
+  for (const PlacedFrame& frame : frames)
+  {
+    heights.insert({ frame.place, frame.heightMm });
+  }
+  std::vector<double> ascending;
+  for (const auto& [place, heightMm] : heights)
+  {
+    ascending.push_back(heightMm);
+  }
+  return ascending;
+}
+
+/// True for heights of a stack with even distances, in which slices may be missing.
+bool AreOnGrid(const std::vector<double>& heightsMm, double distanceMm)
+{
+  constexpr double LargestDifference = 0.05;
+  for (std::size_t i = 1; i < heightsMm.size(); ++i)
+  {
+    const double steps = (heightsMm[i] - heightsMm[i - 1]) / distanceMm;
+    if (std::lround(steps) < 1 || std::abs(steps - std::round(steps)) > LargestDifference)
+    {
+      return false;
+    }
+  }
+  return heightsMm.size() > 1;
+}
+
+/// True if sets are stacks of equal even distances between each other's slices, such as two phases
+/// half a distance apart.
+bool AreInterleaved(const std::vector<FrameSet>& sets)
+{
+  std::vector<std::vector<double>> heightsMm;
+  std::transform(sets.begin(), sets.end(), std::back_inserter(heightsMm), HeightsOfPlaces);
+  const auto largest = *std::max_element(heightsMm.begin(), heightsMm.end(),
+    [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (largest.size() < 2)
+  {
+    return false;
+  }
+  const double distanceMm = UsualDistanceMm(largest);
+  return std::all_of(heightsMm.begin(), heightsMm.end(),
+    [&](const std::vector<double>& heights)
+    {
+      const double commonMm =
+        std::min(heights.back(), largest.back()) - std::max(heights.front(), largest.front());
+      return AreOnGrid(heights, distanceMm) && commonMm >= 0.5 * (heights.back() - heights.front());
+    });
+}
+
+/// True if the distance that slices state is that of all frames together rather than that of a set:
+/// they were acquired in turns.
+bool WereInTurns(const FrameSet& frames, const std::vector<FrameSet>& sets)
+{
+  const auto statedMm = frames.front().frame.distanceMm;
+  const auto differenceMm = [&](const FrameSet& set)
+  {
+    const std::vector<double> heightsMm = HeightsOfPlaces(set);
+    return heightsMm.size() < 2 ? 0.0 : std::abs(std::abs(*statedMm) - UsualDistanceMm(heightsMm));
+  };
+  return statedMm && differenceMm(frames) < differenceMm(sets.front());
+}
+
+/// True for attributes whose values belong to whole volumes, not to slices acquired together.
+bool TellsVolumes(std::size_t difference)
+{
+  constexpr std::array<DicomDifference, 6> OfSlices = { DicomDifference::Stack,
+    DicomDifference::FrameNumber, DicomDifference::TriggerTime, DicomDifference::AcquisitionTime,
+    DicomDifference::ContentTime, DicomDifference::Segment };
+  return std::find(OfSlices.begin(), OfSlices.end(), DicomDifference(difference)) == OfSlices.end();
+}
+
+bool Varies(std::size_t difference, const FrameSet& frames)
+{
+  return std::any_of(frames.begin(), frames.end(),
+    [&](const PlacedFrame& frame) {
+      return frame.frame.differences[difference] != frames.front().frame.differences[difference];
+    });
+}
+
+/// The sets that an attribute separates; none if it separates no volumes.
+std::vector<FrameSet> VolumesBy(std::size_t difference, const FrameSet& frames)
+{
+  if (!Varies(difference, frames))
+  {
+    return {};
+  }
+  std::vector<FrameSet> sets = SetsBy(difference, frames);
+  const bool areOver = sets.size() <= MostRepeats(frames) && LieOverEachOther(sets);
+  const bool isVague = DicomDifference(difference) == DicomDifference::AcquisitionNumber;
+  const bool areBetween =
+    TellsVolumes(difference) && AreInterleaved(sets) && !(isVague && WereInTurns(frames, sets));
+  return areOver || areBetween ? sets : std::vector<FrameSet>();
+}
+
 /// The number of places of the largest set.
 std::size_t MostPlaces(const std::vector<FrameSet>& sets)
 {
@@ -117,9 +216,9 @@ bool IsTime(std::size_t difference)
   return std::find(Times.begin(), Times.end(), DicomDifference(difference)) != Times.end();
 }
 
-/// The warning of sets that are not read: those that are incomplete, or all but one.
-std::string WarningOfOthers(
-  std::size_t difference, const std::vector<FrameSet>& sets, std::size_t keptCount)
+/// The warning of times that are left out because they are incomplete.
+std::string WarningOfIncomplete(
+  std::size_t difference, const std::vector<FrameSet>& sets, std::size_t completeCount)
 {
   const std::size_t complete = MostPlaces(sets);
   std::vector<std::string> incomplete;
@@ -132,76 +231,196 @@ std::string WarningOfOthers(
         " of " + std::to_string(complete) + " slices");
     }
   }
-  const std::string text = "The series holds " + std::to_string(sets.size()) +
-    " volumes that differ in their " + DifferenceNames[difference] + "; only the ";
-  const std::string kept = keptCount > 1 ? "complete ones were read"
-    : incomplete.empty()                 ? "first was read"
-                                         : "first complete one was read";
-  return text + kept + (incomplete.empty() ? "." : "; " + NameList(incomplete) + ".");
+  return "The series holds " + std::to_string(sets.size()) + " volumes that differ in their " +
+    DifferenceNames[difference] + "; only the " +
+    (completeCount > 1 ? "complete ones were read" : "first complete one was read") + "; " +
+    NameList(incomplete) + ".";
 }
 
-std::vector<FrameSet> SetsFrom(
-  std::size_t difference, FrameSet frames, std::vector<std::string>& warnings);
-
-/// The sets of each of several times, which the attributes from one on may separate further; as
-/// complete as the first. Only the first warns, since the others are alike.
-std::vector<FrameSet> SetsOfEach(
-  const std::vector<FrameSet>& times, std::size_t difference, std::vector<std::string>& warnings)
+/// A name such as "echo 20".
+std::string NameOf(std::size_t difference, const FrameSet& set)
 {
-  std::vector<FrameSet> all;
-  std::vector<std::string> ignored;
-  for (const FrameSet& time : times)
+  const std::string& value = set.front().frame.differences[difference];
+  const std::size_t begin = value.find_first_not_of(' ');
+  return std::string(value.empty() ? "no " : "") + DifferenceNames[difference] +
+    (value.empty() ? "" : " " + value.substr(std::min(begin, value.size())));
+}
+
+std::string Joined(const std::string& name, const std::string& more)
+{
+  return name + (name.empty() ? "" : ", ") + more;
+}
+
+/// Frames at each place, in the order of a key, so that the first at each place make the first set;
+/// none if a place has equal keys, or fewer frames than another.
+std::vector<FrameSet> RankedBy(
+  const std::function<std::optional<double>(const DicomFrame&)>& keyOf, const FrameSet& frames)
+{
+  std::map<int, std::map<double, const PlacedFrame*>> ranked;
+  for (const PlacedFrame& frame : frames)
   {
-    for (FrameSet& set : SetsFrom(difference, time, all.empty() ? warnings : ignored))
+    const auto key = keyOf(frame.frame);
+    if (!key || !ranked[frame.place].insert({ *key, &frame }).second)
     {
-      if (all.empty() || PlacesOf(set).size() == PlacesOf(all.front()).size())
-      {
-        all.push_back(std::move(set));
-      }
+      return {};
     }
   }
-  return all;
+  std::vector<FrameSet> sets(ranked.begin()->second.size());
+  for (const auto& [place, ofPlace] : ranked)
+  {
+    if (ofPlace.size() != sets.size())
+    {
+      return {};
+    }
+    auto set = sets.begin();
+    for (const auto& [key, frame] : ofPlace)
+    {
+      (set++)->push_back(*frame);
+    }
+  }
+  return sets;
 }
 
-/// SetsOfTimes by the attributes from one on.
-std::vector<FrameSet> SetsFrom(
-  std::size_t difference, FrameSet frames, std::vector<std::string>& warnings)
+/// Times by the rank of frames at their places, for which no attribute has a value that all slices
+/// of a time share; the frames themselves if they have no rank.
+std::vector<FrameSet> SetsByRank(const FrameSet& frames, std::vector<std::string>& warnings)
 {
-  for (; difference < DifferenceNames.size(); ++difference)
+  constexpr std::size_t ByNumber = DifferenceNames.size();
+  for (std::size_t difference = 0; difference <= ByNumber; ++difference)
   {
-    const std::size_t repeats = MostRepeats(frames);
-    if (repeats == 1)
-    {
-      break;
-    }
-    const std::vector<FrameSet> sets = SetsBy(difference, frames);
-    if (sets.size() == 1 || sets.size() > repeats || !LieOverEachOther(sets))
+    if (difference < ByNumber && (!IsTime(difference) || !Varies(difference, frames)))
     {
       continue;
     }
-    std::vector<FrameSet> kept;
-    std::copy_if(sets.begin(), sets.end(), std::back_inserter(kept),
-      [complete = MostPlaces(sets)](const FrameSet& set)
-      { return PlacesOf(set).size() == complete; });
-    kept.resize(IsTime(difference) ? kept.size() : 1);
-    if (kept.size() < sets.size())
+    std::vector<FrameSet> sets = RankedBy(
+      [&](const DicomFrame& frame) -> std::optional<double>
+      {
+        return difference == ByNumber ? std::optional(frame.instanceNumber)
+                                      : NumberIn(frame.differences[difference]);
+      },
+      frames);
+    if (sets.size() > 1)
     {
-      warnings.push_back(WarningOfOthers(difference, sets, kept.size()));
+      warnings.push_back("Each place has " + std::to_string(sets.size()) +
+        " images, and no value tells which of different places belong together; they were taken "
+        "for times in the order of their " +
+        (difference == ByNumber ? "number" : DifferenceNames[difference]) + ".");
+      return sets;
     }
-    if (kept.size() > 1)
-    {
-      return SetsOfEach(kept, difference + 1, warnings);
-    }
-    frames = kept.front();
   }
   return { frames };
 }
 
+/// Times of one kind, and those that are incomplete.
+class TimeSeparation
+{
+public:
+  explicit TimeSeparation(FrameKind& kind)
+    : kind(kind)
+  {
+  }
+
+  void Separate(const FrameSet& frames)
+  {
+    this->kind.sets = this->SetsFrom(0, frames, this->kind.warnings);
+  }
+
+  /// Incomplete times, as kinds.
+  const std::vector<FrameKind>& Incomplete() const { return this->incomplete; }
+
+private:
+  /// The sets of each of several times, which the attributes from one on may separate further; as
+  /// complete as the first. Only the first warns, since the others are alike.
+  std::vector<FrameSet> SetsOfEach(
+    const std::vector<FrameSet>& times, std::size_t difference, std::vector<std::string>& warnings)
+  {
+    std::vector<FrameSet> all;
+    std::vector<std::string> ignored;
+    for (const FrameSet& time : times)
+    {
+      for (FrameSet& set : this->SetsFrom(difference, time, all.empty() ? warnings : ignored))
+      {
+        if (all.empty() || PlacesOf(set).size() == PlacesOf(all.front()).size())
+        {
+          all.push_back(std::move(set));
+        }
+      }
+    }
+    return all;
+  }
+
+  /// The times by the attributes from one on.
+  std::vector<FrameSet> SetsFrom(
+    std::size_t difference, const FrameSet& frames, std::vector<std::string>& warnings)
+  {
+    for (; difference < DifferenceNames.size(); ++difference)
+    {
+      const std::vector<FrameSet> sets =
+        IsTime(difference) ? VolumesBy(difference, frames) : std::vector<FrameSet>();
+      if (sets.empty())
+      {
+        continue;
+      }
+      std::vector<FrameSet> complete;
+      for (const FrameSet& set : sets)
+      {
+        if (PlacesOf(set).size() == MostPlaces(sets))
+        {
+          complete.push_back(set);
+        }
+        else
+        {
+          this->incomplete.push_back(
+            { Joined(this->kind.name, NameOf(difference, set)) + ", incomplete", { set } });
+        }
+      }
+      if (complete.size() < sets.size())
+      {
+        warnings.push_back(WarningOfIncomplete(difference, sets, complete.size()));
+      }
+      return this->SetsOfEach(complete, difference + 1, warnings);
+    }
+    return MostRepeats(frames) > 1 ? SetsByRank(frames, warnings) : std::vector<FrameSet>{ frames };
+  }
+
+  FrameKind& kind;
+  std::vector<FrameKind> incomplete;
+};
+
+/// Appends the kinds that the attributes from one on separate, and incomplete times.
+void AppendKinds(std::size_t difference, const FrameSet& frames, const std::string& name,
+  std::vector<FrameKind>& kinds, std::vector<FrameKind>& incomplete)
+{
+  for (; difference < DifferenceNames.size(); ++difference)
+  {
+    std::vector<FrameSet> sets =
+      IsTime(difference) ? std::vector<FrameSet>() : VolumesBy(difference, frames);
+    std::stable_partition(sets.begin(), sets.end(),
+      [most = MostPlaces(sets)](const FrameSet& set) { return PlacesOf(set).size() == most; });
+    for (const FrameSet& set : sets)
+    {
+      AppendKinds(difference + 1, set, Joined(name, NameOf(difference, set)), kinds, incomplete);
+    }
+    if (!sets.empty())
+    {
+      return;
+    }
+  }
+  kinds.push_back({ name, {} });
+  TimeSeparation times(kinds.back());
+  times.Separate(frames);
+  incomplete.insert(incomplete.end(), times.Incomplete().begin(), times.Incomplete().end());
 }
 
-std::vector<FrameSet> SetsOfTimes(const FrameSet& frames, std::vector<std::string>& warnings)
+}
+
+std::vector<FrameKind> SeparatedKinds(const FrameSet& frames)
 {
-  return SetsFrom(0, frames, warnings);
+  std::vector<FrameKind> kinds;
+  std::vector<FrameKind> incomplete;
+  AppendKinds(0, frames, "", kinds, incomplete);
+  kinds.insert(kinds.end(), incomplete.begin(), incomplete.end());
+  return kinds;
 }
 
 }

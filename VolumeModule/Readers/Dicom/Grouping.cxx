@@ -1,81 +1,22 @@
 #include "Readers/Dicom/Grouping.h"
 
 #include "Core/Quality/Percentile.h"
+#include "Readers/Dicom/AlikeFrames.h"
 #include "Readers/Dicom/FrameTimes.h"
+#include "Readers/NumberText.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <functional>
+#include <limits>
+#include <map>
 #include <numeric>
 
 namespace varimarch
 {
 namespace
 {
-
-using AreAlike = bool (*)(const DicomFrame&, const DicomFrame&);
-
-bool HaveOneSize(const DicomFrame& a, const DicomFrame& b)
-{
-  return a.size == b.size && a.file->samples == b.file->samples &&
-    a.file->palette.entries.empty() == b.file->palette.entries.empty();
-}
-
-bool HaveOneDirection(const DicomFrame& a, const DicomFrame& b)
-{
-  constexpr double LargestDifference = 0.01;
-  if (!a.axes || !b.axes)
-  {
-    return !a.axes && !b.axes;
-  }
-  return glm::distance((*a.axes)[0], (*b.axes)[0]) < LargestDifference &&
-    glm::distance((*a.axes)[1], (*b.axes)[1]) < LargestDifference;
-}
-
-bool HaveOnePixelSize(const DicomFrame& a, const DicomFrame& b)
-{
-  constexpr double LargestRelativeDifference = 1e-3;
-  if (!a.pixelMm || !b.pixelMm)
-  {
-    return !a.pixelMm && !b.pixelMm;
-  }
-  return glm::distance(*a.pixelMm, *b.pixelMm) <
-    LargestRelativeDifference * glm::length(*a.pixelMm);
-}
-
-bool HavePositionOrNot(const DicomFrame& a, const DicomFrame& b)
-{
-  return a.positionMm.has_value() == b.positionMm.has_value();
-}
-
-/// Keeps the largest group of frames that are alike, and warns of the others.
-void KeepMostFrequent(std::vector<DicomFrame>& frames, AreAlike areAlike, const std::string& reason,
-  std::vector<std::string>& warnings)
-{
-  std::vector<std::vector<DicomFrame>> groups;
-  for (const DicomFrame& frame : frames)
-  {
-    const auto known = std::find_if(groups.begin(), groups.end(),
-      [&](const auto& group) { return areAlike(group.front(), frame); });
-    known == groups.end() ? groups.push_back({ frame }) : known->push_back(frame);
-  }
-  const auto most = std::max_element(
-    groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  std::vector<DicomFrame> leftOut;
-  for (auto group = groups.begin(); group != groups.end(); ++group)
-  {
-    if (group != most)
-    {
-      leftOut.insert(leftOut.end(), group->begin(), group->end());
-    }
-  }
-  if (!leftOut.empty())
-  {
-    warnings.push_back("Images were left out because " + reason + ": " + FrameList(leftOut) + ".");
-  }
-  frames = *most;
-}
 
 bool Vary(const std::vector<double>& numbers)
 {
@@ -185,10 +126,27 @@ std::vector<int> PlacesOf(const std::vector<double>& heightsMm, double tolerance
   return places;
 }
 
-/// Puts the frames in order along the normal, and leaves out all but the first of each place.
-DicomSlices OnePerPlace(const std::vector<PlacedFrame>& placed, std::vector<std::string>& warnings)
+/// The largest distance of frames beside those that were kept at their heights [mm].
+double LargestOffsetMm(const std::vector<PlacedFrame>& sorted)
 {
-  std::vector<PlacedFrame> sorted = placed;
+  double largestMm = 0.0;
+  const PlacedFrame* kept = &sorted.front();
+  for (const PlacedFrame& slice : sorted)
+  {
+    kept = slice.place == kept->place ? kept : &slice;
+    if (slice.frame.positionMm && kept->frame.positionMm)
+    {
+      largestMm =
+        std::max(largestMm, glm::distance(*slice.frame.positionMm, *kept->frame.positionMm));
+    }
+  }
+  return largestMm;
+}
+
+/// Puts the frames in order along the normal, and leaves out all but the first of each place.
+DicomSlices OnePerPlace(const FrameSet& placed, std::vector<std::string>& warnings)
+{
+  FrameSet sorted = placed;
   std::stable_sort(sorted.begin(), sorted.end(),
     [](const PlacedFrame& a, const PlacedFrame& b) { return a.place < b.place; });
   DicomSlices slices;
@@ -207,68 +165,123 @@ DicomSlices OnePerPlace(const std::vector<PlacedFrame>& placed, std::vector<std:
   }
   if (!leftOut.empty())
   {
-    warnings.push_back("Images were left out because others lie at the same place, and only the "
-                       "first of each place was read: " +
-      FrameList(leftOut) + ".");
+    const double offsetMm = LargestOffsetMm(sorted);
+    const bool isSamePlace = offsetMm <= PlaceToleranceMm(leftOut.front());
+    warnings.push_back("Images were left out because others lie at the same " +
+      (isSamePlace ? "place" : "height, up to " + ShortText(offsetMm) + " mm beside them") +
+      ", and only the first of each place was read: " + FrameList(leftOut) + ".");
   }
   return slices;
 }
 
-/// Consecutive slices without a wide gap.
+/// Slices without a wide gap between them.
 struct Part
 {
-  std::size_t begin;
-  std::size_t end;
-  std::size_t Size() const { return this->end - this->begin; }
+  double lowestMm;
+  double highestMm;
+  std::size_t count;
+
+  /// The distance of a height from the part [mm].
+  double DistanceMm(double heightMm) const
+  {
+    return std::max({ 0.0, this->lowestMm - heightMm, heightMm - this->highestMm });
+  }
 };
 
-std::vector<Part> PartsBetweenWideGaps(const std::vector<double>& heightsMm)
+/// Parts of the slices of a set, those with most slices first.
+std::vector<Part> PartsBetweenWideGaps(const FrameSet& set)
 {
   constexpr double WideGap = 10.0; // in usual distances
-  const double wideMm = WideGap * UsualDistanceMm(heightsMm);
-  std::vector<Part> parts = { { 0, 1 } };
-  for (std::size_t i = 1; i < heightsMm.size(); ++i)
+  std::map<int, double> heightsMm;
+  for (const PlacedFrame& frame : set)
   {
-    if (heightsMm[i] - heightsMm[i - 1] > wideMm)
-    {
-      parts.push_back({ i, i });
-    }
-    parts.back().end = i + 1;
+    heightsMm.insert({ frame.place, frame.heightMm });
   }
+  std::vector<double> ascending;
+  for (const auto& [place, heightMm] : heightsMm)
+  {
+    ascending.push_back(heightMm);
+  }
+  const double wideMm = ascending.size() < 3 ? std::numeric_limits<double>::infinity()
+                                             : WideGap * UsualDistanceMm(ascending);
+  std::vector<Part> parts;
+  for (const double heightMm : ascending)
+  {
+    if (parts.empty() || heightMm - parts.back().highestMm > wideMm)
+    {
+      parts.push_back({ heightMm, heightMm, 0 });
+    }
+    parts.back().highestMm = heightMm;
+    ++parts.back().count;
+  }
+  std::stable_sort(
+    parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.count > b.count; });
   return parts;
 }
 
-/// Leaves out a few slices far from the others, such as a scout view of the same direction.
-void LeaveOutFarSlices(DicomSlices& slices, std::vector<std::string>& warnings)
+std::string PartName(const Part& part)
 {
-  constexpr std::size_t ManyTimes = 4; // as many slices in the largest part as in a small one
-  if (slices.frames.size() < 3)
+  return part.count == 1
+    ? "slice at " + ShortText(part.lowestMm) + " mm"
+    : "slices from " + ShortText(part.lowestMm) + " to " + ShortText(part.highestMm) + " mm";
+}
+
+/// The kinds of a kind whose slices have wide gaps, such as two breasts and what lies between them.
+/// A part has the times that have slices in it.
+std::vector<FrameKind> PartsOf(const FrameKind& kind)
+{
+  const std::vector<Part> parts = PartsBetweenWideGaps(kind.sets.front());
+  if (parts.size() == 1)
   {
-    return;
+    return { kind };
   }
-  const std::vector<Part> parts = PartsBetweenWideGaps(slices.heightsMm);
-  const Part largest = *std::max_element(
-    parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.Size() < b.Size(); });
-  DicomSlices kept;
-  std::vector<DicomFrame> leftOut;
+  std::vector<FrameKind> kinds;
   for (const Part& part : parts)
   {
-    const bool isKept = part.Size() * ManyTimes > largest.Size();
-    for (std::size_t i = part.begin; i < part.end; ++i)
+    kinds.push_back(
+      { kind.name + (kind.name.empty() ? "" : ", ") + PartName(part), {}, kind.warnings });
+  }
+  for (const FrameSet& set : kind.sets)
+  {
+    std::vector<FrameSet> setsOfParts(parts.size());
+    for (const PlacedFrame& frame : set)
     {
-      (isKept ? kept.frames : leftOut).push_back(slices.frames[i]);
-      if (isKept)
+      const auto nearest = std::min_element(parts.begin(), parts.end(),
+        [&](const Part& a, const Part& b)
+        { return a.DistanceMm(frame.heightMm) < b.DistanceMm(frame.heightMm); });
+      setsOfParts[std::size_t(nearest - parts.begin())].push_back(frame);
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      if (!setsOfParts[i].empty())
       {
-        kept.heightsMm.push_back(slices.heightsMm[i]);
+        kinds[i].sets.push_back(std::move(setsOfParts[i]));
       }
     }
   }
-  if (!leftOut.empty())
+  return kinds;
+}
+
+/// The frames of a group with their places.
+FrameSet Placed(const std::vector<DicomFrame>& frames, const std::vector<double>& heightsMm)
+{
+  const std::vector<int> places = PlacesOf(heightsMm, PlaceToleranceMm(frames.front()));
+  FrameSet placed;
+  for (std::size_t i = 0; i < frames.size(); ++i)
   {
-    warnings.push_back(
-      "Images were left out because they lie far from the others: " + FrameList(leftOut) + ".");
-    slices = kept;
+    placed.push_back({ frames[i], heightsMm[i], places[i] });
   }
+  return placed;
+}
+
+VolumeTimes TimesOfSets(const std::vector<FrameSet>& sets)
+{
+  std::vector<const DicomFrame*> firstFrames;
+  for (const FrameSet& set : sets)
+  {
+    firstFrames.push_back(&set.front().frame);
+  }
+  return TimesOf(firstFrames);
 }
 
 }
@@ -283,38 +296,60 @@ double UsualDistanceMm(const std::vector<double>& heightsMm)
   return Percentile(gaps, 0.5);
 }
 
-DicomVolumes VolumesOf(std::vector<DicomFrame> frames, std::vector<std::string>& warnings)
+std::vector<DicomVolumes> KindsOf(const std::vector<DicomFrame>& frames)
 {
-  KeepMostFrequent(frames, HaveOneSize, "their size differs from that of the others", warnings);
-  KeepMostFrequent(
-    frames, HaveOneDirection, "their direction differs from that of the others", warnings);
-  KeepMostFrequent(
-    frames, HaveOnePixelSize, "the size of their pixels differs from that of the others", warnings);
-  KeepMostFrequent(
-    frames, HavePositionOrNot, "they do not say where they lie, as others do", warnings);
-  DicomVolumes volumes;
-  const std::vector<double> heightsMm = HeightsMm(frames, volumes.hasPositions, warnings);
-  const std::vector<int> places = PlacesOf(heightsMm, PlaceToleranceMm(frames.front()));
-  std::vector<PlacedFrame> placed;
-  for (std::size_t i = 0; i < frames.size(); ++i)
+  std::vector<DicomVolumes> kinds;
+  for (const AlikeFrames& group : GroupsOfAlike(frames))
   {
-    placed.push_back({ frames[i], heightsMm[i], places[i] });
+    DicomVolumes ofGroup;
+    const std::vector<double> heightsMm =
+      HeightsMm(group.frames, ofGroup.hasPositions, ofGroup.warnings);
+    for (const FrameKind& whole : SeparatedKinds(Placed(group.frames, heightsMm)))
+    {
+      for (const FrameKind& kind : PartsOf(whole))
+      {
+        DicomVolumes volumes = ofGroup;
+        volumes.name =
+          group.name + (group.name.empty() || kind.name.empty() ? "" : ", ") + kind.name;
+        volumes.sets = kind.sets;
+        volumes.times = TimesOfSets(kind.sets);
+        volumes.warnings.insert(volumes.warnings.end(), kind.warnings.begin(), kind.warnings.end());
+        kinds.push_back(volumes);
+      }
+    }
   }
-  volumes.sets = SetsOfTimes(placed, warnings);
-  std::vector<const DicomFrame*> firstFrames;
-  for (const std::vector<PlacedFrame>& set : volumes.sets)
+  return kinds;
+}
+
+std::string KindList(const std::vector<DicomVolumes>& kinds)
+{
+  constexpr std::size_t MostNamed = 12;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kinds.size(), MostNamed); ++i)
   {
-    firstFrames.push_back(&set.front().frame);
+    std::vector<DicomFrame> frames;
+    for (const FrameSet& set : kinds[i].sets)
+    {
+      std::transform(set.begin(), set.end(), std::back_inserter(frames),
+        [](const PlacedFrame& placed) { return placed.frame; });
+    }
+    list += (i > 0 ? ", " : "") + std::to_string(i + 1) + " (" + kinds[i].name + ": " +
+      FrameList(frames) + ")";
   }
-  volumes.times = TimesOf(firstFrames);
-  return volumes;
+  if (kinds.size() > MostNamed)
+  {
+    list += " and " + std::to_string(kinds.size() - MostNamed) + " more";
+  }
+  // Attributes may hold what people typed, and the list may be printed to a terminal.
+  std::replace_if(
+    list.begin(), list.end(), [](unsigned char letter) { return letter < ' '; }, '?');
+  return list;
 }
 
 DicomSlices SlicesOf(
   const DicomVolumes& volumes, std::int64_t time, std::vector<std::string>& warnings)
 {
   DicomSlices slices = OnePerPlace(volumes.sets[std::size_t(time)], warnings);
-  LeaveOutFarSlices(slices, warnings);
   slices.hasPositions = volumes.hasPositions;
   return slices;
 }

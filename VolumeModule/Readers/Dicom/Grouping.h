@@ -15,20 +15,26 @@ struct DicomSlices
   bool hasPositions = false;      ///< true if the files state the positions of the slices
 };
 
-/// The frames of all times of a series.
+/// The frames of one kind of a series, at all times.
 struct DicomVolumes
 {
-  std::vector<std::vector<PlacedFrame>> sets; ///< one for each time
+  std::string name;           ///< what tells the kind from the others, such as "echo 20"; or empty
+  std::vector<FrameSet> sets; ///< one for each time
   VolumeTimes times;
-  bool hasPositions = false; ///< true if the files state the positions of the slices
+  bool hasPositions = false;         ///< true if the files state the positions of the slices
+  std::vector<std::string> warnings; ///< sentences about the places and times of the frames
 };
 
-/// Chooses the frames of a series that make up volumes: those of the most frequent size, direction
-/// and pixel size, and of the first complete set of images that the files distinguish, at each
-/// time. Repeats of a place are other times, echoes or kinds of image only if an attribute says so.
+/// Separates the frames of a series into the volumes that they make up, of one or more times each:
+/// by size, direction, pixel size and station, then by the attributes that tell images apart, then
+/// at gaps so wide that what lies beyond them is another part of the body. Each frame belongs to
+/// one kind.
 /// @param frames  in the order of their numbers; at least one
-/// @param warnings  receives a sentence about all that is left out
-DicomVolumes VolumesOf(std::vector<DicomFrame> frames, std::vector<std::string>& warnings);
+/// @returns at least one kind; the first is that of most images among the most frequent ones
+std::vector<DicomVolumes> KindsOf(const std::vector<DicomFrame>& frames);
+
+/// A text such as "1 (echo 10: "a.dcm" and 3 others), 2 (echo 20: "b.dcm" and 3 others)".
+std::string KindList(const std::vector<DicomVolumes>& kinds);
 
 /// The slices of one time: one frame for each place.
 DicomSlices SlicesOf(
