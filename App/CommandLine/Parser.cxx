@@ -272,6 +272,13 @@ void AddVolumeOptions(
       "The DICOM series to read: its number in the list that is printed without\n"
       "this option, its SeriesInstanceUID, or an unambiguous prefix of that (default 1)")
     ->type_name("SERIES");
+  command
+    .add_option("--kind", arguments.kind,
+      "The kind of volume to read of a series with several, such as another echo,\n"
+      "b-value, view or station: its number in the list that is printed without this\n"
+      "option (default 1)")
+    ->check(CLI::Range(1, LargestKind).description(""))
+    ->type_name("N");
   CLI::Option* const rectify = command.add_flag(
     "--rectify", arguments.rectify, "Resample tilted or unevenly spaced slices on an even grid");
   command

@@ -115,8 +115,12 @@ void RejectRectify(const VolumeArguments& arguments)
   }
 }
 
-void RejectLevel(const VolumeArguments& arguments)
+void RejectParts(const VolumeArguments& arguments)
 {
+  if (arguments.kind > 0)
+  {
+    throw UsageError("--kind: expected a DICOM series, found a procedural volume");
+  }
   if (arguments.level || arguments.channel)
   {
     throw UsageError(std::string(arguments.level ? "--level" : "--channel") +
@@ -163,7 +167,7 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
   {
     RejectFileArguments(arguments, "procedural volume");
     RejectRectify(arguments);
-    RejectLevel(arguments);
+    RejectParts(arguments);
     RejectTime(arguments);
     return ProceduralFromInput(input);
   }
@@ -173,6 +177,7 @@ VolumeSource SourceOf(const VolumeArguments& arguments, const std::string& input
     RejectSeries(arguments, "file");
   }
   source.series = arguments.series;
+  source.kind = arguments.kind;
   source.rectified = RectifiedBy(arguments);
   source.memoryMegabytes = arguments.memoryMegabytes;
   source.level = arguments.level;
@@ -210,13 +215,14 @@ VolumeSource Override(const VolumeArguments& arguments, const VolumeSource& volu
     const double memory = arguments.memoryMegabytes;
     file->memoryMegabytes = memory > 0.0 ? memory : file->memoryMegabytes;
     file->level = arguments.level ? arguments.level : file->level;
+    file->kind = arguments.kind > 0 ? arguments.kind : file->kind;
     file->channel = arguments.channel ? arguments.channel : file->channel;
     file->filesAreTimes = file->filesAreTimes || arguments.filesAreTimes;
     TakeTime(arguments.time, *file);
     return source;
   }
   RejectRectify(arguments);
-  RejectLevel(arguments);
+  RejectParts(arguments);
   RejectTime(arguments);
   return source;
 }

@@ -20,6 +20,7 @@ struct VolumeArguments
   bool rectify = false;       ///< true to resample tilted or unevenly spaced slices on an even grid
   bool asScanned = false;     ///< true to keep them
   std::string series;         ///< DICOM series to read; empty: the first
+  int kind = 0;               ///< kind of volume in the series, from 1; 0: the first
   std::optional<int> level;   ///< level of a file with several; empty: the finest that fits
   std::optional<int> channel; ///< channel of such a file; empty: as in FileSource
   std::string time;           ///< number or seconds of the time to read; empty: the first

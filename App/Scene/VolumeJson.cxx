@@ -12,8 +12,8 @@ namespace
 
 constexpr int LargestVolumeSide = 1 << 20;
 
-const std::vector<std::string> fileKeys = { "file", "series", "rectified", "level", "channel",
-  "raw", "memory", "time", "timeSeconds", "filesAreTimes" };
+const std::vector<std::string> fileKeys = { "file", "series", "kind", "rectified", "level",
+  "channel", "raw", "memory", "time", "timeSeconds", "filesAreTimes" };
 const std::vector<std::string> proceduralKeys = { "procedural", "size", "seed" };
 
 RawLayout RawLayoutFromJson(const JsonCursor& json)
@@ -45,6 +45,10 @@ FileSource FileFromJson(const JsonCursor& json)
   if (const auto series = json.Find("series"))
   {
     source.series = series->Text();
+  }
+  if (const auto kind = json.Find("kind"))
+  {
+    source.kind = kind->Integer(1, LargestKind);
   }
   if (const auto rectified = json.Find("rectified"))
   {
@@ -143,6 +147,10 @@ nlohmann::ordered_json JsonFromFile(const FileSource& file)
   if (!file.series.empty())
   {
     json["series"] = file.series;
+  }
+  if (file.kind > 0)
+  {
+    json["kind"] = file.kind;
   }
   if (file.rectified)
   {

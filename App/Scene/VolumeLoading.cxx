@@ -113,6 +113,7 @@ void Apply(const FileSource& source, QuietReader& reader)
 {
   reader->SetFilesAreTimes(source.filesAreTimes);
   reader->SetDICOMSeriesUID(source.series.c_str());
+  reader->SetDICOMKind(source.kind);
   reader->SetMaximumHostMemory(vtkIdType(1e6 * source.memoryMegabytes));
   reader->SetRectifySlices(source.rectified.value_or(false));
   reader->SetRectifyMisplacedSlices(!source.rectified);
@@ -157,6 +158,10 @@ LoadedVolume VolumeOf(QuietReader& reader)
   volume.uptakeValueFactor = reader->GetUptakeValueFactor();
   volume.frameOfReference = reader->GetFrameOfReferenceUID();
   volume.times = TimesOf(reader);
+  for (int kind = 1; kind <= reader->GetNumberOfDICOMKinds(); ++kind)
+  {
+    volume.kinds.emplace_back(reader->GetDICOMKindName(kind));
+  }
   if (reader->HoldsLabels())
   {
     TakeSegments(reader->GetSegments(), volume);

@@ -55,6 +55,8 @@ struct LoadedVolume
   bool isOnDisk = false;  ///< true if the voxels stayed in their file, because they are so many
   bool isPreview = false; ///< true for a coarse copy, of which the warnings tell
   LoadedTimes times = {};
+  /// What tells the kinds of volume in a DICOM series from each other; of which one was read.
+  std::vector<std::string> kinds = {};
 };
 
 /// Receives the fraction of the work done, [0, 1]; returns false to cancel.

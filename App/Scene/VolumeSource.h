@@ -20,7 +20,8 @@ struct RawLayout
   std::int64_t headerBytes = 0; ///< size of the header before the first voxel, >= 0
 };
 
-/// Levels and channels of a file are at most these.
+/// Kinds of volume, levels and channels of a file are at most these.
+constexpr int LargestKind = 99999;
 constexpr int LargestLevel = 99;
 constexpr int LargestChannel = 99999;
 
@@ -43,6 +44,7 @@ struct FileSource
   int time = 0;                           ///< which of several times, counted from 0
   std::optional<double> timeSeconds = {}; ///< if given, the time nearest to this one is read
   bool filesAreTimes = false;             ///< as vtkVolumeFileReader::SetFilesAreTimes
+  int kind = 0; ///< the kind of volume in a DICOM series, counted from 1; 0: the first
 };
 
 enum class ProceduralKind

@@ -129,6 +129,7 @@ private:
   void MakeAskAtStartAction(QMenu* menu);
   void MakeMemoryMenu(QMenu* menu);
   void MakeOpenActions(QMenu* menu);
+  void FillKinds(QMenu* kinds);
   void ChooseFile();
   void ChooseTimes();
   void ChooseFolder();

@@ -26,6 +26,8 @@
 
 #include <vtkVolumeFileReader.h>
 
+#include <algorithm>
+
 namespace varimarch
 {
 
@@ -167,6 +169,43 @@ void MainWindow::MakeOpenActions(QMenu* menu)
   menu->addAction(tr("Open a ra&w file…"), this, &MainWindow::ChooseRawFile);
   menu->addAction(tr("Open fi&les as times…"), this, &MainWindow::ChooseTimes)
     ->setObjectName("openTimes");
+  QMenu* const kinds = menu->addMenu(tr("&Kinds of volume in the series"));
+  kinds->setObjectName("kinds");
+  kinds->menuAction()->setVisible(false);
+  connect(menu, &QMenu::aboutToShow, kinds, [this, kinds] { this->FillKinds(kinds); });
+}
+
+// Offers what else the series of the scan holds: other echoes, b-values, views or stations.
+void MainWindow::FillKinds(QMenu* kinds)
+{
+  kinds->clear();
+  const auto study = this->model.CurrentStudy();
+  const auto* const file =
+    study ? std::get_if<FileSource>(&this->model.CurrentScene().volume) : nullptr;
+  const std::size_t count = file ? study->volume.kinds.size() : 0;
+  kinds->menuAction()->setVisible(count > 1);
+  for (std::size_t i = 0; i < count && count > 1; ++i)
+  {
+    FileSource chosen = *file;
+    chosen.kind = int(i) + 1;
+    chosen.time = 0;
+    chosen.timeSeconds.reset();
+    QAction* const action =
+      kinds->addAction(QString("%1  %2")
+                         .arg(chosen.kind)
+                         .arg(QString::fromStdString(study->volume.kinds[i]).replace('&', "&&")));
+    action->setCheckable(true);
+    action->setChecked(chosen.kind == std::max(file->kind, 1));
+    connect(action, &QAction::triggered, this,
+      [this, chosen]
+      {
+        if (this->MayLeaveScan())
+        {
+          this->ForgetRequest();
+          this->Load(chosen);
+        }
+      });
+  }
 }
 
 void MainWindow::ChooseFile()

@@ -173,6 +173,40 @@ TEST_F(Opening, AsksWhichOfSeveralSeriesAndWarns)
   EXPECT_TRUE(this->WarningText().contains("compressed with loss"));
 }
 
+TEST_F(Opening, OffersTheKindsOfVolumeInASeries)
+{
+  for (int echo = 0; echo < 2; ++echo)
+  {
+    for (int slice = 0; slice < 3; ++slice)
+    {
+      DicomOptions options;
+      options.instance = 10 * echo;
+      options.echoMs = 10.0 * (echo + 1);
+      options.intercept = 1000.0 * echo;
+      this->folder.Write("echoes/" + std::to_string(10 * echo + slice),
+        DicomBytes(phantom::Stored(0), slice, options));
+    }
+  }
+  this->Open("echoes");
+  ASSERT_TRUE(this->IsOpened());
+  auto* const kinds = this->window.findChild<QMenu*>("kinds");
+  ASSERT_TRUE(kinds);
+  auto* const file = qobject_cast<QMenu*>(kinds->parentWidget());
+  ASSERT_TRUE(file);
+  emit file->aboutToShow();
+  ASSERT_EQ(kinds->actions().size(), 2);
+  EXPECT_EQ(kinds->actions()[1]->text(), "2  echo 20");
+  EXPECT_TRUE(kinds->actions()[0]->isChecked());
+  kinds->actions()[1]->trigger();
+  ASSERT_TRUE(this->IsOpened());
+  SceneModel* const model = this->window.Model();
+  ASSERT_TRUE(
+    QTest::qWaitFor([=] { return std::get<FileSource>(model->CurrentScene().volume).kind == 2; },
+      MostMilliseconds));
+  EXPECT_EQ(model->CurrentStudy()->volume.image->GetScalarComponentAsDouble(1, 2, 1, 0),
+    phantom::ValueAt({ 1, 2, 1 }) + 1000.0);
+}
+
 TEST_F(Opening, OpensARecentSeriesWithoutAskingAgain)
 {
   this->WriteSeries("1.2.33", 2);

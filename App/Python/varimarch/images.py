@@ -21,7 +21,8 @@ from .VarimarchVolume import vtkVolumeFileReader
 from .vtk_messages import vtk_messages_as_exceptions
 
 
-def read(path, level=None, channel=0, memory=None, time=None, files_are_times=False):
+def read(path, level=None, channel=0, memory=None, time=None, files_are_times=False, kind=None,
+         rectify=None):
     """Reads a volume file as vtkImageData in patient coordinates (DICOM's LPS space, in mm).
 
     Formats: VTI, NRRD, MetaImage, NIfTI, OME-Zarr, HDF5 (Imaris, BigDataViewer), InVesalius projects,
@@ -40,12 +41,20 @@ def read(path, level=None, channel=0, memory=None, time=None, files_are_times=Fa
         first, with a Python warning that there are others.
     files_are_times: True if the volumes in a folder, or those beside a file whose names differ from
         its own only in the last number before the first dot, are times.
+    kind: the kind of volume to read of a DICOM series that holds several, such as echoes, b-values,
+        views or stations, counted from 1. Default: the first, with a Python warning that lists all.
+    rectify: True resamples the slices of a tilted or uneven DICOM series on an even grid, False keeps
+        them as scanned. Default: as the program does, only if slices would lie elsewhere than they
+        were scanned and no gap is wider than four usual distances.
 
     Doubtful input, such as a missing slice, is a Python warning. Raises OSError with one sentence if the file cannot be read.
     """
     reader = vtkVolumeFileReader()
     reader.SetResolutionLevel(-1 if level is None else whole_number("level", level))
     reader.SetChannel(-1 if channel == "all" else whole_number("channel", channel))
+    reader.SetDICOMKind(0 if kind is None else whole_number("kind", kind))
+    reader.SetRectifySlices(rectify is not None and bool(rectify))
+    reader.SetRectifyMisplacedSlices(rectify is None)
     if memory is not None:
         reader.SetMaximumHostMemory(int(number("memory", memory, 1, 2**62)))
     update(reader, path, 0 if time is None else time, files_are_times)

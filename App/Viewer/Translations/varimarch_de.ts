@@ -2812,6 +2812,10 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
         <translation>Titel der Bedienfelder</translation>
     </message>
     <message>
+        <source>&amp;Kinds of volume in the series</source>
+        <translation>&amp;Arten von Volumen in der Serie</translation>
+    </message>
+    <message>
         <source>Open fi&amp;les as times…</source>
         <translation>Dateien als Zeitpun&amp;kte öffnen…</translation>
     </message>

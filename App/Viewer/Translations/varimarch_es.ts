@@ -2812,6 +2812,10 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
         <translation>Títulos de los paneles</translation>
     </message>
     <message>
+        <source>&amp;Kinds of volume in the series</source>
+        <translation>&amp;Tipos de volumen de la serie</translation>
+    </message>
+    <message>
         <source>Open fi&amp;les as times…</source>
         <translation>Abrir archivos &amp;de varios tiempos…</translation>
     </message>
