@@ -97,7 +97,7 @@ const std::vector<VolumeFormat> formats = {
     patient },
   { "InVesalius", "InVesalius projects", { ".inv3" }, IsNever, ReadInv3, HoldsInv3, unpacked,
     patient },
-  { "TIFF", "TIFF images", { ".tif", ".tiff", ".btf", ".tf8" }, IsTiff, ReadTiff },
+  { "TIFF", "TIFF images", { ".tif", ".tiff", ".btf", ".tf8", ".stk", ".lsm" }, IsTiff, ReadTiff },
   { "image stack", "Stacks of images", { ".png", ".jpg", ".jpeg", ".bmp" }, IsStackSlice,
     ReadImageStack, HoldsPictures },
   { "NumPy", "NumPy arrays", { ".npy" }, IsNpy, ReadNpy, nullptr, decompresses },

@@ -33,8 +33,12 @@ std::optional<double> LengthOfUnit(const std::string& unit)
     { "", 1.0 },
     { "?", 1.0 },
     { "???", 1.0 }, // not stated
+    { "pm", 1e-9 },
+    { "picometer", 1e-9 },
+    { "picometre", 1e-9 },
     { "angstrom", 1e-7 },
-    { "\xc3\x85", 1e-7 }, // the letter A with a ring
+    { "\xc3\x85", 1e-7 },     // the letter A with a ring
+    { "\xe2\x84\xab", 1e-7 }, // the sign of the unit
     { "nm", 1e-6 },
     { "nanometer", 1e-6 },
     { "nanometre", 1e-6 },
@@ -42,6 +46,7 @@ std::optional<double> LengthOfUnit(const std::string& unit)
     { "micron", 1e-3 },
     { "micrometer", 1e-3 },
     { "micrometre", 1e-3 },
+    { "\xb5m", 1e-3 },     // with the micro sign of Latin-1
     { "\xc2\xb5m", 1e-3 }, // with the micro sign
     { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
     { "mm", 1.0 },
@@ -50,8 +55,15 @@ std::optional<double> LengthOfUnit(const std::string& unit)
     { "cm", 10.0 },
     { "centimeter", 10.0 },
     { "centimetre", 10.0 },
+    { "dm", 100.0 },
+    { "decimeter", 100.0 },
+    { "decimetre", 100.0 },
     { "inch", 25.4 },
+    { "inche", 25.4 }, // without the letter s of the plural
     { "in", 25.4 },
+    { "thou", 0.0254 },
+    { "pt", 25.4 / 72.0 },
+    { "ft", 304.8 },
     { "m", 1000.0 },
     { "meter", 1000.0 },
     { "metre", 1000.0 },

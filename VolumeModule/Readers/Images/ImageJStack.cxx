@@ -4,6 +4,8 @@
 #include "Readers/NumberText.h"
 #include "Readers/Times.h"
 
+#include <vtkType.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -25,12 +27,43 @@ std::size_t Count(const std::string& path, const HeaderFields& fields, const std
   return std::size_t(count);
 }
 
+/// The map from stored values to those that ImageJ shows. Of its functions only the straight line
+/// is applied; others are named.
+Rescale CalibrationOf(
+  const HeaderFields& fields, int scalarType, std::vector<std::string>& warnings)
+{
+  constexpr int StraightLine = 0;
+  constexpr int None = 20;
+  const auto number = int(NumberIn(fields.Value({ "cf" })).value_or(None));
+  const std::optional<double> intercept = NumberIn(fields.Value({ "c0" }));
+  const std::optional<double> slope = NumberIn(fields.Value({ "c1" }));
+  if (number == None)
+  {
+    return {};
+  }
+  if (number != StraightLine || !intercept || !slope || *slope == 0.0)
+  {
+    warnings.push_back("The file maps its values by ImageJ's function number " +
+      std::to_string(number) +
+      ", of which only straight lines (0) are known; the stored values were read.");
+    return {};
+  }
+  if (fields.Value({ "zeroclip" }) == "true")
+  {
+    warnings.push_back(
+      "ImageJ shows values below 0 as 0 (zeroclip in the file); they were left as they are.");
+  }
+  // ImageJ keeps signed shorts as unsigned ones, to which it adds 32768, and maps these.
+  constexpr double SignedOffset = 32768.0;
+  return { *slope, *intercept + (scalarType == VTK_SHORT ? SignedOffset * *slope : 0.0) };
+}
+
 /// Length of the unit [mm]; 0 if it is no length. ImageJ writes the letter mu as an escape.
 double LengthOfUnit(
   const HeaderFields& fields, const TiffPage& page, std::vector<std::string>& warnings)
 {
   const std::string unit = fields.Value({ "unit" });
-  if (unit == "\\u00B5m")
+  if (unit == "\\u00B5m" || unit == "\\u00b5m")
   {
     return 1e-3;
   }
@@ -117,7 +150,12 @@ std::optional<TiffStack> ImageJStack(TiffFile& file, std::int64_t time)
   {
     stack.planes.push_back({ path, page });
   }
-  stack.spacingMm = SpacingOf(path, fields, file.Pages().front(), stack.warnings);
+  const TiffPage& page = file.Pages().front();
+  stack.spacingMm = SpacingOf(path, fields, page, stack.warnings);
+  if (page.layout.componentCount == 1)
+  {
+    stack.rescale = CalibrationOf(fields, page.layout.scalarType, stack.warnings);
+  }
   return stack;
 }
 

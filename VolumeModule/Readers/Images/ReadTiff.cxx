@@ -1,4 +1,5 @@
-// TIFF files of several pages: OME-TIFF, TIFF of ImageJ, and plain pages. libtiff decodes them.
+// TIFF files of several pages: those that a program describes, and plain ones. libtiff decodes
+// them.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
@@ -126,16 +127,22 @@ std::vector<VolumeChannel> NamedChannels(const TiffStack& stack, std::size_t per
   return channels;
 }
 
+/// The stack that a program describes in the file; nothing if none does.
+std::optional<TiffStack> DescribedStack(TiffFile& file, std::int64_t time)
+{
+  std::optional<TiffStack> stack = OmeStack(file, time);
+  stack = stack ? stack : ImageJStack(file, time);
+  stack = stack ? stack : ShapedStack(file, time);
+  stack = stack ? stack : StkStack(file, time);
+  return stack ? stack : LsmStack(file, time);
+}
+
 }
 
 Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   auto file = std::make_unique<TiffFile>(path);
-  std::optional<TiffStack> described = OmeStack(*file, options.time);
-  if (!described)
-  {
-    described = ImageJStack(*file, options.time);
-  }
+  const std::optional<TiffStack> described = DescribedStack(*file, options.time);
   const bool isPlain = !described;
   TiffStack stack = isPlain ? PlainStack(*file) : *described;
   const TiffPage first = file->Pages()[stack.planes.front().page];
@@ -144,7 +151,8 @@ Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgres
   OpenTiff files(std::move(file));
   Volume volume;
   TakeTimes(path, stack.times, options, volume);
-  volume.image = ReadPlanes(stack, first.layout, files, progress);
+  volume.image =
+    Rescaled(path, ReadPlanes(stack, first.layout, files, progress), { stack.rescale });
   volume.holdsColors = stack.channelCount == 1 && first.holdsColors;
   if (!volume.holdsColors)
   {

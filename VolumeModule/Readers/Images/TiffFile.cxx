@@ -146,9 +146,8 @@ TiffFile::TiffFile(const std::string& path)
   {
     do
     {
-      this->pages.push_back(this->CurrentPage());
+      this->AddCurrentPages();
     } while (TIFFReadDirectory(this->file));
-    this->directoryCount = this->pages.size();
     if (!this->messages->first.empty())
     {
       this->Fail("readable pages after page " + std::to_string(this->pages.size()));
@@ -225,13 +224,45 @@ TiffPage TiffFile::CurrentPage()
   return page;
 }
 
+void TiffFile::AddCurrentPages()
+{
+  constexpr std::size_t MostPages = 10000000;
+  const std::size_t depth =
+    std::max<std::uint32_t>(1, Tag<std::uint32_t>(this->file, TIFFTAG_IMAGEDEPTH));
+  TiffPage page = this->CurrentPage();
+  if (depth > MostPages - std::min(MostPages, this->pages.size()))
+  {
+    FailToRead(this->path, "at most 10000000 pages", std::to_string(depth) + " in one directory");
+  }
+  const bool isPlanar = page.layout.componentCount > 1 &&
+    Tag<std::uint16_t>(this->file, TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
+  const bool isPacked = Tag<std::uint16_t>(this->file, TIFFTAG_COMPRESSION) != COMPRESSION_NONE;
+  const bool hasDeepTiles =
+    TIFFIsTiled(this->file) && Tag<std::uint32_t>(this->file, TIFFTAG_TILEDEPTH) > 1;
+  const bool isInPieces = TIFFIsTiled(this->file) && !hasDeepTiles;
+  if (depth > 1 && !isInPieces && (isPacked || (isPlanar && !hasDeepTiles)))
+  {
+    FailToRead(this->path,
+      "several slices of a directory (ImageDepth) uncompressed or in tiles of one slice",
+      isPacked ? "compressed ones" : "planes for each component");
+  }
+  for (page.slice = 0; page.slice < depth; ++page.slice)
+  {
+    this->pages.push_back(page);
+  }
+}
+
 void TiffFile::AddPagesBehindFirst(std::size_t count)
 {
   if (Tag<std::uint16_t>(this->file, TIFFTAG_COMPRESSION) != COMPRESSION_NONE)
   {
     FailToRead(this->path, std::to_string(count + 1) + " pages", "one compressed page");
   }
-  this->pages.insert(this->pages.end(), count, this->pages.front());
+  TiffPage page = this->pages.front();
+  for (page.slice = 1; page.slice <= count; ++page.slice)
+  {
+    this->pages.push_back(page);
+  }
 }
 
 void TiffFile::SelectPage(std::size_t page)
@@ -248,7 +279,6 @@ void TiffFile::CheckHoldsPage(std::size_t page)
   this->SelectPage(page);
   const double fileBytes = double(ReadableFileSize(this->path));
   const double pageBytes = double(CheckedByteCount(this->path, this->pages[page].layout));
-  const std::size_t behindFirst = page < this->directoryCount ? 0 : page - this->directoryCount + 1;
   double storedBytes = 0.0;
   double endBytes = 0.0;
   const bool isTiled = TIFFIsTiled(this->file) != 0;
@@ -260,7 +290,11 @@ void TiffFile::CheckHoldsPage(std::size_t page)
     storedBytes += bytes;
     endBytes = std::max(endBytes, double(TIFFGetStrileOffset(this->file, i)) + bytes);
   }
-  endBytes += pageBytes * double(behindFirst);
+  if (!isTiled && this->pages[page].slice > 0)
+  {
+    endBytes =
+      double(TIFFGetStrileOffset(this->file, 0)) + pageBytes * double(this->pages[page].slice + 1);
+  }
   // The densest method is zstd's, with blocks of 128 kB that repeat one byte. Values of fewer than
   // 8 bits and colours with few samples take less than the page's bytes.
   const bool isCompressed = Tag<std::uint16_t>(this->file, TIFFTAG_COMPRESSION) != COMPRESSION_NONE;
@@ -278,7 +312,7 @@ void TiffFile::ReadPage(std::size_t index, void* destination)
   this->SelectPage(index);
   const TiffPage& page = this->pages[index];
   this->messages->first.clear();
-  if (index >= this->directoryCount)
+  if (page.slice > 0 && !TIFFIsTiled(this->file))
   {
     this->ReadBehindFirst(index, destination);
     return;
@@ -298,7 +332,7 @@ void TiffFile::ReadPage(std::size_t index, void* destination)
     const PixelRows rows = { static_cast<char*>(destination) + std::size_t(plane) * valueBytes,
       std::size_t(page.layout.dimensions[0]), std::size_t(page.layout.dimensions[1]), pixelBytes,
       isPlanar ? valueBytes : pixelBytes };
-    TIFFIsTiled(this->file) ? this->ReadTiles(rows, std::uint16_t(plane))
+    TIFFIsTiled(this->file) ? this->ReadTiles(rows, std::uint16_t(plane), page.slice)
                             : this->ReadStrips(rows, std::uint16_t(plane));
   }
 }
@@ -307,8 +341,7 @@ void TiffFile::ReadBehindFirst(std::size_t index, void* destination)
 {
   const TiffPage& page = this->pages[index];
   const std::uint64_t pageBytes = CheckedByteCount(this->path, page.layout);
-  const std::uint64_t offset =
-    TIFFGetStrileOffset(this->file, 0) + (index - this->directoryCount + 1) * pageBytes;
+  const std::uint64_t offset = TIFFGetStrileOffset(this->file, 0) + page.slice * pageBytes;
   const auto stream = OpenStream(this->path, Compression::None, offset);
   if (stream->Read(destination, std::size_t(pageBytes)) < pageBytes)
   {
@@ -354,10 +387,42 @@ void TiffFile::ReadStrips(const PixelRows& rows, std::uint16_t plane)
   }
 }
 
-void TiffFile::ReadTiles(const PixelRows& rows, std::uint16_t plane)
+bool TiffFile::ReadTile(const std::array<std::uint32_t, 3>& place, std::uint16_t plane,
+  int valueBytes, std::vector<char>& slice)
+{
+  const auto [x, y, z] = place;
+  const auto depth = std::size_t(Tag<std::uint32_t>(this->file, TIFFTAG_TILEDEPTH));
+  if (depth <= 1)
+  {
+    return TIFFReadTile(this->file, slice.data(), x, y, z, plane) >= 0;
+  }
+  // libtiff decodes only the first slice of such tiles, so they are read as they are stored.
+  if (double(depth) * double(slice.size()) > double(ReadableFileSize(this->path)))
+  {
+    return false;
+  }
+  std::vector<char> tile(depth * slice.size());
+  const std::uint32_t number = TIFFComputeTile(this->file, x, y, z, plane);
+  if (TIFFReadRawTile(this->file, number, tile.data(), tmsize_t(tile.size())) <
+    tmsize_t(tile.size()))
+  {
+    return false;
+  }
+  const auto begin = tile.begin() + std::ptrdiff_t(z % depth * slice.size());
+  std::copy_n(begin, slice.size(), slice.begin());
+  if (TIFFIsByteSwapped(this->file))
+  {
+    vtkByteSwap::SwapVoidRange(
+      slice.data(), slice.size() / std::size_t(valueBytes), std::size_t(valueBytes));
+  }
+  return true;
+}
+
+void TiffFile::ReadTiles(const PixelRows& rows, std::uint16_t plane, std::uint64_t slice)
 {
   const auto tileWidth = std::size_t(Tag<std::uint32_t>(this->file, TIFFTAG_TILEWIDTH));
   const auto tileHeight = std::size_t(Tag<std::uint32_t>(this->file, TIFFTAG_TILELENGTH));
+  const int valueBytes = Tag<std::uint16_t>(this->file, TIFFTAG_BITSPERSAMPLE) / 8;
   std::vector<char> tile(std::size_t(TIFFTileSize64(this->file)));
   if (tile.empty() || tile.size() < tileWidth * tileHeight * rows.storedBytes)
   {
@@ -367,7 +432,8 @@ void TiffFile::ReadTiles(const PixelRows& rows, std::uint16_t plane)
   {
     for (std::size_t x = 0; x < rows.width; x += tileWidth)
     {
-      if (TIFFReadTile(this->file, tile.data(), std::uint32_t(x), std::uint32_t(y), 0, plane) < 0)
+      if (!this->ReadTile(
+            { std::uint32_t(x), std::uint32_t(y), std::uint32_t(slice) }, plane, valueBytes, tile))
       {
         this->Fail("complete pixels");
       }
