@@ -263,4 +263,51 @@ TEST(ImageStacks, OtherPicturesAreNamedAndLeftOut)
   EXPECT_TRUE(Warns(reader, "cut.png"));
 }
 
+TEST(ImageStacks, NumbersBelowZeroComeFirst)
+{
+  const TemporaryFolder folder;
+  const StoredVolume volume = VolumeOfType(VTK_UNSIGNED_CHAR);
+  const char* const names[3] = { "z-10.png", "z-5.png", "z0.png" };
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    WritePicture(folder.Path(names[slice]), volume, slice);
+  }
+  vtkNew<vtkVolumeFileReader> reader;
+  Read(reader, folder.Path(""));
+  ExpectValues(reader, volume.values);
+}
+
+TEST(ImageStacks, HyphensOfAllNamesAreNoSigns)
+{
+  const TemporaryFolder folder;
+  const StoredVolume volume = VolumeOfType(VTK_UNSIGNED_CHAR);
+  const char* const names[3] = { "z-5.png", "z-10.png", "z-20.png" };
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    WritePicture(folder.Path(names[slice]), volume, slice);
+  }
+  vtkNew<vtkVolumeFileReader> reader;
+  Read(reader, folder.Path(""));
+  ExpectValues(reader, volume.values);
+}
+
+TEST(ImageStacks, ThePreviewOfSkyScanIsNoSliceAndItsLogHasTheVoxel)
+{
+  const TemporaryFolder folder;
+  const StoredVolume volume = VolumeOfType(VTK_UNSIGNED_CHAR);
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    WritePicture(folder.Path("a_rec0000000" + std::to_string(slice) + ".bmp"), volume, slice);
+  }
+  WritePicture(folder.Path("a_rec_spr.bmp"), volume, 0);
+  folder.Write("a_rec.log",
+    "[Acquisition]\r\nImage Pixel Size (um)=7\r\n[Reconstruction]\r\nPixel Size (um)=9.92\r\n");
+  vtkNew<vtkVolumeFileReader> reader;
+  Read(reader, folder.Path(""));
+  ExpectValues(reader, volume.values);
+  ExpectSpacing(reader, 9.92e-3, 9.92e-3, 9.92e-3);
+  EXPECT_TRUE(Warns(reader, "a_rec_spr.bmp"));
+  EXPECT_FALSE(Warns(reader, "1 mm"));
+}
+
 }

@@ -1,16 +1,12 @@
 // Stacks of images: one file per slice, in a folder, in the natural order of their names.
-#include "Readers/ByteStream.h"
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
 #include "Readers/Images/Picture.h"
+#include "Readers/Images/PictureFolder.h"
 #include "Readers/Images/StackGeometry.h"
 #include "Readers/Signatures.h"
-
-#include <vtkNew.h>
-#include <vtkSortFileNames.h>
-#include <vtkStringArray.h>
 
 #include <filesystem>
 
@@ -18,30 +14,6 @@ namespace varimarch
 {
 namespace
 {
-
-/// The pictures of a folder in order of their names, with numbers in order of their values.
-std::vector<std::string> PicturesOf(const std::string& folder)
-{
-  vtkNew<vtkStringArray> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-  {
-    if (entry.is_regular_file() && IsStackSlice(FirstBytes(entry.path())))
-    {
-      names->InsertNextValue(entry.path().string());
-    }
-  }
-  vtkNew<vtkSortFileNames> sort;
-  sort->NumericSortOn();
-  sort->IgnoreCaseOn();
-  sort->SetInputFileNames(names);
-  sort->Update();
-  std::vector<std::string> paths;
-  for (vtkIdType i = 0; i < sort->GetFileNames()->GetNumberOfValues(); ++i)
-  {
-    paths.push_back(sort->GetFileNames()->GetValue(i));
-  }
-  return paths;
-}
 
 /// The pictures of a stack, and the names of the files that are not in it.
 struct Stack
@@ -126,8 +98,9 @@ vtkSmartPointer<vtkImageData> ReadSlices(
 Volume ReadImageStack(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const bool isFolder = std::filesystem::is_directory(path);
-  const std::vector<std::string> paths =
-    isFolder ? PicturesOf(path) : std::vector<std::string>{ path };
+  const PictureFolder pictures =
+    isFolder ? PictureFolderAt(path) : PictureFolder{ { path }, "", 0.0 };
+  const std::vector<std::string>& paths = pictures.slices;
   if (paths.empty())
   {
     FailToRead(path, "pictures of slices", "none");
@@ -147,8 +120,15 @@ Volume ReadImageStack(const std::string& path, const ReadOptions& options, ReadP
                               "type than most: " +
       stack.leftOut + '.');
   }
-  const std::array<double, 3> spacingMm = { slices.front().spacingMm[0],
-    slices.front().spacingMm[1], 0.0 };
+  if (!pictures.preview.empty())
+  {
+    volume.warnings.push_back(
+      "The picture " + pictures.preview + " is a preview of the scan; it was left out.");
+  }
+  const double voxelMm = pictures.voxelMm;
+  const std::array<double, 3> spacingMm = voxelMm > 0.0
+    ? std::array<double, 3>{ voxelMm, voxelMm, voxelMm }
+    : std::array<double, 3>{ slices.front().spacingMm[0], slices.front().spacingMm[1], 0.0 };
   PlaceImage(
     path, StackGeometry(spacingMm, slices.front().orientation, volume.warnings), volume.image);
   return volume;
