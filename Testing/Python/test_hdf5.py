@@ -5,6 +5,7 @@ Usage: test_hdf5.py CASE VARIMARCH
 """
 
 import itertools
+import json
 import pathlib
 import sys
 import tempfile
@@ -141,6 +142,142 @@ def data_sets_of_hdf5_have_the_values_of_h5py(folder):
         assert any("/volumes/raw" in doubt for doubt in doubts), doubts
         assert (read(f"{path}/small")[0] == values[:2]).all()
         expect_refused(f"{path}/none", "/none")
+
+
+def place_of(image, *index):
+    """The position of a voxel."""
+    place = [0.0] * 3
+    image.TransformIndexToPhysicalPoint(*index, place)
+    return place
+
+
+def axes_of_hdf5_have_the_names_of_their_files(folder):
+    """The tags of ilastik and the labels of HDF5, with channels and times."""
+    values = values_of((3, 4, 5))
+    path = folder / "a.h5"
+
+    def write(array, names, with_tags):
+        with h5py.File(path, "w") as file:
+            data = file.create_dataset("exported_data", data=array)
+            if with_tags:
+                data.attrs["axistags"] = json.dumps({"axes": [
+                    {"key": name, "typeFlags": 2, "resolution": 0, "description": ""} for name in names]})
+            else:
+                for axis, name in enumerate(names):
+                    data.dims[axis].label = name
+
+    for with_tags, names in itertools.product((True, False), itertools.permutations("xyz")):
+        write(values, names, with_tags)
+        found, image, doubts = read(path)
+        assert (found == values).all()
+        # The element [1, 2, 3].
+        assert place_of(image, 3, 2, 1) == [float(names.index(axis) + 1) for axis in "xyz"], names
+        assert any("mirrored" in doubt for doubt in doubts), doubts
+    several = values_of((2, 3, 4, 5, 3))
+    write(several, "tzyxc", True)
+    found, _, doubts = read(path, channel=2, time=1)
+    assert (found == several[1, ..., 2]).all()
+    assert (read(path, channel="all")[0] == several[0]).all()
+    assert len(varimarch.times(str(path))) == 2
+    expect_refused(path, "channel from 0 to 2", channel=3)
+    with h5py.File(path, "w") as file:
+        file.create_dataset("a", data=values).attrs["axistags"] = "{damaged"
+    assert (read(path)[0] == values).all()
+
+
+def hdf5_scales_place_their_axes(folder):
+    """The scales of netCDF-4 name the axes, and have their coordinates and units."""
+    values = values_of((5, 4, 3))
+    path = folder / "a.nc"
+    with h5py.File(path, "w") as file:
+        data = file.create_dataset("group/ct", data=values)
+        for axis, (name, unit, places) in enumerate((
+                ("x", "cm", -1 + 0.1 * numpy.arange(5)), ("y", "mm", 20 - 2.0 * numpy.arange(4)),
+                ("z", "mm", 30 + 3.0 * numpy.arange(3)))):
+            file[name] = places
+            file[name].attrs["units"] = unit
+            file[name].make_scale(name)
+            data.dims[axis].attach_scale(file[name])
+    found, image, doubts = read(path)
+    assert (found == values).all()
+    # The element [3, 2, 1].
+    assert numpy.allclose(place_of(image, 1, 2, 3), (-7.0, 16.0, 33.0)), place_of(image, 1, 2, 3)
+    assert not any("1 mm" in doubt for doubt in doubts), doubts
+
+
+def hdf5_states_the_size_of_voxels_for_all_axes_or_those_of_space(folder):
+    """Four sizes for four axes, three for the last, and sizes that are none."""
+    path = folder / "a.h5"
+    values = values_of((2, 3, 4, 5))
+    for array, sizes, spacing, doubt in (
+            (values, (1.0, 3.0, 2.0, 1.0), (1e-3, 2e-3, 3e-3), ""),
+            (values, (3.0, 2.0, 1.0), (1e-3, 2e-3, 3e-3), ""),
+            (values[0], (0.0, 2.0, 1.0), (1e-3, 2e-3, 1e-3), "0 um long along axis 0"),
+            (values[0], (3.0, 2.0), (1.0, 1.0, 1.0), "1 mm")):
+        with h5py.File(path, "w") as file:
+            file.create_dataset("a", data=array).attrs["element_size_um"] = sizes
+        found, image, doubts = read(path)
+        assert numpy.allclose(image.GetSpacing(), spacing), (sizes, image.GetSpacing())
+        assert any(doubt and doubt in one for one in doubts) == bool(doubt), (sizes, doubts)
+
+
+def hdf5_of_other_programs_is_read(folder):
+    """Booleans of h5py, MATLAB's block before the file, and images of ITK with their geometry."""
+    values = values_of((3, 4, 5))
+    with h5py.File(folder / "bool.h5", "w") as file:
+        file["mask"] = values % 2 == 0
+    assert (read(folder / "bool.h5")[0] == (values % 2 == 0)).all()
+    matlab = folder / "v73.mat"
+    with h5py.File(matlab, "w", userblock_size=512) as file:
+        file["V"] = values
+    matlab.write_bytes(b"MATLAB 7.3 MAT-file".ljust(512) + matlab.read_bytes()[512:])
+    assert (read(matlab)[0] == values).all()
+
+    def write_itk(array, directions):
+        with h5py.File(folder / "itk.h5", "w") as file:
+            group = file.create_group("ITKImage/0")
+            group["VoxelData"] = array
+            group["Spacing"] = (0.5, 2.0, 3.0)
+            group["Origin"] = (-1.0, 7.0, 30.0)
+            group["Directions"] = directions
+
+    turned = numpy.array(((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))  # one row for each axis
+    write_itk(values, turned)
+    found, image, doubts = read(folder / "itk.h5")
+    assert (found == values).all() and not doubts, doubts
+    assert numpy.allclose(place_of(image, 3, 2, 1), (-5.0, 8.5, 33.0))
+    colours = values_of((3, 4, 5, 3), "u1")
+    write_itk(colours, turned)
+    assert (read(folder / "itk.h5", channel=1)[0] == colours[..., 1]).all()
+
+
+def hdf5_says_what_is_not_done(folder):
+    """A map of values, and a description of BigDataViewer that turns the volume."""
+    values = values_of((3, 4, 5), "u2")
+    with h5py.File(folder / "a.h5", "w") as file:
+        file.create_dataset("a", data=values).attrs.update({"scale_factor": 0.25, "add_offset": -1.0})
+    assert any("0.25 times" in doubt for doubt in read(folder / "a.h5")[2])
+    with h5py.File(folder / "b.h5", "w") as file:
+        file["s00/resolutions"] = numpy.array(((1, 1, 1),), "f8")
+        file.create_dataset("t00000/s00/0/cells", data=values.view("i2"), chunks=(3, 4, 4))
+
+    def doubts_of(*affines):
+        transforms = "".join(f'<ViewTransform type="affine"><affine>{text}</affine></ViewTransform>'
+                             for text in affines)
+        (folder / "b.xml").write_text(
+            '<?xml version="1.0"?><SpimData version="0.2"><SequenceDescription>'
+            '<ImageLoader format="bdv.hdf5"><hdf5 type="relative">b.h5</hdf5></ImageLoader>'
+            "<ViewSetups><ViewSetup><id>0</id><voxelSize><unit>um</unit><size>1 1 3</size></voxelSize>"
+            "</ViewSetup></ViewSetups></SequenceDescription><ViewRegistrations>"
+            f'<ViewRegistration timepoint="0" setup="0">{transforms}</ViewRegistration>'
+            "</ViewRegistrations></SpimData>")
+        return read(folder / "b.xml")[2]
+
+    scale = "1 0 0 0 0 1 0 0 0 0 3 0"
+    said = [any("ViewRegistration" in doubt for doubt in doubts_of(*affines)) for affines in (
+        (scale,), ("2 0 0 0 0 2 0 0 0 0 2 0", scale), ("1 0 0 5 0 1 0 0 0 0 1 0", scale),
+        ("0 -1 0 0 1 0 0 0 0 0 1 0", scale), ("1 0 0 0 0 1 0 0 0 0 2 0", scale))]
+    assert said == [False, False, True, True, True], said
 
 
 def hdf5_of_numbers_with_unused_bits_has_the_values_of_h5py(folder):

@@ -92,6 +92,93 @@ def zarr_axes_lie_where_their_names_say(folder):
                 assert abs(place[world] - expected) < 1e-9, (order, axes, signs, place)
 
 
+def named_axes(path, values, names, attributes=None):
+    """An array of Zarr with the names that xarray gives to its axes."""
+    write_zarr(path, values)
+    (path / ".zattrs").write_text(json.dumps({"_ARRAY_DIMENSIONS": names, **(attributes or {})}))
+
+
+def zarr_axes_have_the_names_of_xarray(folder):
+    """Axes of space in any order, channels, times, and axes whose names mean nothing."""
+    values = values_of((3, 4, 5))
+    for names in itertools.permutations("xyz"):
+        named_axes(folder / "a.zarr", values, names)
+        found, image, doubts = read(folder / "a.zarr")
+        assert (found == values).all()
+        place = [0.0] * 3
+        image.TransformIndexToPhysicalPoint(3, 2, 1, place)  # the element [1, 2, 3]
+        assert place == [float(names.index(axis) + 1) for axis in "xyz"], (names, place)
+        assert any("mirrored" in doubt for doubt in doubts), doubts
+    named_axes(folder / "b.zarr", values, ["row", "Column", "channel"])
+    found, image, doubts = read(folder / "b.zarr", channel=3)
+    assert (found == values[None, :, :, 3]).all(), found.shape
+    named_axes(folder / "c.zarr", values, ["section", "y", "x"])
+    assert (read(folder / "c.zarr")[0] == values).all()
+    named_axes(folder / "d.zarr", values, ["time", "y", "x"])
+    assert (read(folder / "d.zarr", time=2)[0] == values[2][None]).all()
+    assert len(varimarch.times(str(folder / "d.zarr"))) == 3
+    named_axes(folder / "e.zarr", values, ["x", "y"])  # not as many as axes
+    assert (read(folder / "e.zarr")[0] == values).all()
+
+
+def zarr_groups_of_xarray_lie_at_their_coordinates(folder):
+    """The largest array of a group, with its coordinates, units and the map of its values."""
+    values = values_of((3, 4, 5))
+    path = folder / "a.zarr"
+    zarr.open_group(str(path), mode="w")
+    coordinates = {"x": (-10 + 0.5 * numpy.arange(5), "mm"), "y": (7 - 2 * numpy.arange(4), "cm"),
+                   "z": (numpy.array((1.0, 2.0, 5.0)), "mm")}
+    for name, (places, unit) in coordinates.items():
+        named_axes(path / name, places, [name], {"units": unit})
+    named_axes(path / "ct", values, ["z", "y", "x"], {"scale_factor": 0.5, "add_offset": 3})
+    named_axes(path / "small", values[:2], ["z", "y", "x"])
+    named_axes(path / "words", numpy.array(["a", "b"]), ["word"])
+    found, image, doubts = read(path)
+    assert (found == values).all()
+    place = [0.0] * 3
+    image.TransformIndexToPhysicalPoint(1, 1, 1, place)
+    assert numpy.allclose(place, (-9.5, 50.0, 3.0)), place
+    for words in ('"ct"', "evenly", "0.5 times", "mirrored"):
+        assert any(words in doubt for doubt in doubts), (words, doubts)
+    assert not any("1 mm" in doubt for doubt in doubts), doubts
+    assert (read(path / "small")[0] == values[:2]).all()
+    (path / "x" / "0").write_bytes(b"damaged")
+    expect_refused(path, "x/0")
+    named_axes(path / "x", numpy.arange(4.0), ["x"])  # not as many as voxels
+    assert any("1 mm" in doubt for doubt in read(path)[2])
+
+
+def zarr_sides_are_those_of_its_orientations(folder):
+    """The orientations of RFC-4; the sides of others, and of images that lack some, are unknown."""
+    values = values_of((3, 4, 5))
+    path = folder / "a.zarr"
+    write_zarr(path / "0", values)
+    lps = {"right-to-left": (0, 1), "left-to-right": (0, -1), "anterior-to-posterior": (1, 1),
+           "posterior-to-anterior": (1, -1), "inferior-to-superior": (2, 1),
+           "superior-to-inferior": (2, -1)}
+
+    def orient(texts):
+        describe(path, "zyx", [((3.0, 2.0, 1.0), (30.0, 20.0, 10.0))])
+        attributes = json.loads((path / ".zattrs").read_text())
+        for axis, text in zip(attributes["multiscales"][0]["axes"], texts):
+            axis.update({"orientation": {"type": "anatomical", "value": text}, "unit": "millimeter"})
+        (path / ".zattrs").write_text(json.dumps(attributes))
+        return read(path)
+
+    for texts in itertools.permutations(lps, 3):
+        worlds = [lps[text][0] for text in texts]
+        found, image, doubts = orient(texts)
+        assert (found == values).all()
+        assert any("mirrored" in doubt for doubt in doubts) == (len(set(worlds)) < 3), (texts, doubts)
+        if len(set(worlds)) == 3:
+            place = [0.0] * 3
+            image.TransformIndexToPhysicalPoint(3, 2, 1, place)
+            expected = {lps[text][0]: lps[text][1] * where
+                        for text, where in zip(texts, (33.0, 24.0, 13.0))}
+            assert numpy.allclose(place, [expected[world] for world in range(3)]), (texts, place)
+    assert any("mirrored" in doubt for doubt in orient(("dorsal-to-ventral", *list(lps)[:2]))[2])
+
+
 def zarr_opens_by_any_of_its_names(folder):
     """A folder, its metadata, an array in it, a ZIP archive of it, and several images in one."""
     values = values_of((5, 6, 7))

@@ -81,7 +81,7 @@ constexpr Subject patientOfKnownSides = Subject::PatientIfSidesAreKnown;
 // The first row whose signature matches is used, or else the first whose extension matches.
 const std::vector<VolumeFormat> formats = {
   { "OME-Zarr", "OME-Zarr and Zarr folders", { ".zarr", ".zattrs", ".zarray", ".zgroup" }, IsZarr,
-    ReadZarr, HoldsZarr },
+    ReadZarr, HoldsZarr, unpacked, patientOfKnownSides },
   { "NRRD", "NRRD images", { ".nrrd", ".nhdr" }, TextAt(0, { "NRRD" }), ReadNrrd, nullptr, unpacked,
     patientOfKnownSides },
   { "MetaImage", "MetaImages", { ".mha", ".mhd" }, IsMetaImage, ReadMetaImage, nullptr, unpacked,
@@ -104,8 +104,8 @@ const std::vector<VolumeFormat> formats = {
   { "MGH", "FreeSurfer images", { ".mgh", ".mgz", ".mgh.gz" }, IsMgh, ReadMgh, nullptr,
     decompresses, patient },
   { "MINC", "MINC images", { ".mnc" }, IsMinc, ReadMinc, nullptr, unpacked, patient },
-  { "HDF5", "HDF5, Imaris and BigDataViewer", { ".h5", ".hdf5", ".hdf", ".ims", ".xml" },
-    IsHdf5OrBigDataViewer, ReadHdf5 },
+  { "HDF5", "HDF5, Imaris and BigDataViewer", { ".h5", ".hdf5", ".hdf", ".ims", ".xml", ".mat" },
+    IsHdf5OrBigDataViewer, ReadHdf5, nullptr, unpacked, patientOfKnownSides },
   { "AFNI", "AFNI images", { ".head" }, IsAfni, ReadAfni, nullptr, unpacked, patient },
   { "AFNI voxels", "Voxels of AFNI beside a header", { ".brik", ".brik.gz" }, nullptr, ReadAfni,
     nullptr, decompresses, patient },

@@ -3,6 +3,7 @@
 #include "Readers/FileContent.h"
 #include "Readers/Formats.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <numeric>
@@ -68,7 +69,12 @@ bool IsBmp(const std::string& head)
 
 bool IsHdf5(const std::string& head)
 {
-  return head.compare(0, 8, "\x89HDF\r\n\x1a\n") == 0;
+  // A block of another program may stand before it, as in files of MATLAB.
+  const std::string mark = "\x89HDF\r\n\x1a\n";
+  const std::size_t places[] = { 0, 512, 1024, 2048 };
+  return std::any_of(std::begin(places), std::end(places),
+    [&](std::size_t place)
+    { return place < head.size() && head.compare(place, mark.size(), mark) == 0; });
 }
 
 bool IsJpeg(const std::string& head)

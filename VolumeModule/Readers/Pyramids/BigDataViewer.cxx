@@ -6,6 +6,10 @@
 #include "Readers/VolumeFile.h"
 #include "Readers/XmlText.h"
 
+#include <glm/mat4x4.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace varimarch
@@ -42,6 +46,54 @@ vtkXMLDataElement* SetupOf(vtkXMLDataElement* root, std::size_t number)
     }
   }
   return nullptr;
+}
+
+/// The transform of a setup at the first time, all that the file states one after the other.
+glm::dmat4 RegistrationOf(const std::string& path, vtkXMLDataElement* root, std::size_t number)
+{
+  glm::dmat4 transform(1.0);
+  vtkXMLDataElement* const all = root->LookupElementWithName("ViewRegistrations");
+  for (int i = 0; all && i < all->GetNumberOfNestedElements(); ++i)
+  {
+    vtkXMLDataElement* const view = all->GetNestedElement(i);
+    const char* const setup = view->GetAttribute("setup");
+    const char* const time = view->GetAttribute("timepoint");
+    const bool isWanted =
+      setup && setup == std::to_string(number) && (!time || std::string(time) == "0");
+    for (int k = 0; isWanted && k < view->GetNumberOfNestedElements(); ++k)
+    {
+      const std::string text = TextOf(view->GetNestedElement(k), "affine");
+      if (text.empty())
+      {
+        continue;
+      }
+      const std::vector<double> rows = NumbersFromText(path, "an affine transform", text, 12);
+      glm::dmat4 affine(1.0);
+      for (int place = 0; place < 12; ++place)
+      {
+        affine[place % 4][place / 4] = rows[std::size_t(place)];
+      }
+      transform = transform * affine;
+    }
+  }
+  return transform;
+}
+
+/// True if a transform only scales, by the size of a voxel in any unit.
+bool OnlyScales(const glm::dmat4& transform, const glm::dvec3& voxel)
+{
+  constexpr double Rounding = 1e-6;
+  const double factor = transform[0][0] / voxel.x;
+  double largest = 0.0;
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      const double scale = column == row ? factor * voxel[row] : 0.0;
+      largest = std::max(largest, std::abs(transform[column][row] - scale));
+    }
+  }
+  return factor > 0.0 && largest <= Rounding * factor * std::max({ voxel.x, voxel.y, voxel.z });
 }
 
 }
@@ -81,7 +133,14 @@ glm::dvec3 BigDataViewerVoxelMm(
   }
   const std::vector<double> numbers = NumbersFromText(path, "the size of a voxel", size, 3);
   const double mmPerUnit = MmPerUnitOrWarn(TextOf(voxel, "unit"), warnings);
-  return glm::dvec3(numbers[0], numbers[1], numbers[2]) * mmPerUnit;
+  const glm::dvec3 voxelSize(numbers[0], numbers[1], numbers[2]);
+  const glm::dmat4 registration = RegistrationOf(path, root, setupNumber);
+  if (registration != glm::dmat4(1.0) && !OnlyScales(registration, voxelSize))
+  {
+    warnings.push_back("The description turns, shifts or stretches the volume (ViewRegistration); "
+                       "that was not done.");
+  }
+  return voxelSize * mmPerUnit;
 }
 
 }

@@ -40,8 +40,11 @@ Hdf5Handle MemoryTypeOf(hid_t stored)
   return { H5Tget_native_type(stored, H5T_DIR_ASCEND), H5Tclose };
 }
 
-int ScalarTypeOf(hid_t type)
+int ScalarTypeOf(hid_t given)
 {
+  // Named numbers, such as the booleans of h5py, are integers.
+  const bool isNamed = H5Tget_class(given) == H5T_ENUM;
+  const Hdf5Handle type(isNamed ? H5Tget_super(given) : H5Tcopy(given), H5Tclose);
   const H5T_class_t kind = H5Tget_class(type);
   if (kind != H5T_INTEGER && kind != H5T_FLOAT)
   {
@@ -176,6 +179,74 @@ std::string Hdf5File::TextAttribute(const std::string& object, const std::string
   }
   std::string text(length * std::size_t(count), '\0');
   return H5Aread(attribute, type, text.data()) >= 0 ? text.substr(0, text.find('\0')) : "";
+}
+
+std::vector<std::string> Hdf5File::TextsAttribute(
+  const std::string& object, const std::string& name) const
+{
+  const SilentHdf5 silentHere;
+  const Hdf5Handle holder(H5Oopen(this->file, object.c_str(), H5P_DEFAULT), H5Oclose);
+  if (holder < 0 || H5Aexists(holder, name.c_str()) <= 0)
+  {
+    return {};
+  }
+  const Hdf5Handle attribute(H5Aopen(holder, name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  constexpr hssize_t Most = 4096;
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0 || count < 1 ||
+    count > Most)
+  {
+    return {};
+  }
+  std::vector<char*> texts(std::size_t(count), nullptr);
+  if (H5Aread(attribute, type, texts.data()) < 0)
+  {
+    return {};
+  }
+  std::vector<std::string> copies;
+  for (char* const text : texts)
+  {
+    copies.emplace_back(text ? text : "");
+  }
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
+  return copies;
+}
+
+std::vector<std::string> Hdf5File::ScalesOf(const std::string& dataSet) const
+{
+  const SilentHdf5 silentHere;
+  const char* const name = "DIMENSION_LIST";
+  const Hdf5Handle holder(H5Oopen(this->file, dataSet.c_str(), H5P_DEFAULT), H5Oclose);
+  if (holder < 0 || H5Aexists(holder, name) <= 0)
+  {
+    return {};
+  }
+  const Hdf5Handle attribute(H5Aopen(holder, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  const Hdf5Handle element(H5Tget_super(type), H5Tclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  const bool areReferences = H5Tget_class(type) == H5T_VLEN && element >= 0 &&
+    H5Tequal(element, H5T_STD_REF_OBJ) > 0 && count > 0 && count <= MostHdf5Axes;
+  std::vector<hvl_t> lists(areReferences ? std::size_t(count) : 0, hvl_t{ 0, nullptr });
+  if (lists.empty() || H5Aread(attribute, type, lists.data()) < 0)
+  {
+    return {};
+  }
+  std::vector<std::string> scales;
+  for (const hvl_t& list : lists)
+  {
+    const Hdf5Handle scale(
+      list.len > 0 ? H5Rdereference2(holder, H5P_DEFAULT, H5R_OBJECT, list.p) : hid_t(-1),
+      H5Oclose);
+    char path[256] = {};
+    const bool isNamed = scale >= 0 && H5Iget_name(scale, path, sizeof(path)) > 0;
+    scales.emplace_back(isNamed ? path : "");
+  }
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, lists.data());
+  return scales;
 }
 
 std::vector<double> Hdf5File::NumberAttribute(

@@ -33,6 +33,13 @@ public:
   /// is none.
   std::string TextAttribute(const std::string& object, const std::string& name) const;
 
+  /// An attribute of at most 4096 texts of any length; empty if there is none.
+  std::vector<std::string> TextsAttribute(const std::string& object, const std::string& name) const;
+
+  /// The data sets that are the scales of a data set's axes, as netCDF-4 writes them; empty texts
+  /// for axes without one.
+  std::vector<std::string> ScalesOf(const std::string& dataSet) const;
+
   /// An attribute, or a data set, of at most 4096 numbers; empty if there is none.
   std::vector<double> NumberAttribute(const std::string& object, const std::string& name) const;
   std::vector<double> Numbers(const std::string& dataSet) const;

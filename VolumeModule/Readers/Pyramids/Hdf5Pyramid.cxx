@@ -4,19 +4,26 @@
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
 #include "Readers/NumberText.h"
+#include "Readers/Pyramids/ArrayAxes.h"
 #include "Readers/Pyramids/BigDataViewer.h"
 #include "Readers/Pyramids/Hdf5File.h"
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Pyramids/Imaris.h"
+#include "Readers/Pyramids/Json.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkType.h>
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 namespace varimarch
 {
@@ -31,7 +38,23 @@ struct Hdf5Level
   std::string dataSet;
   std::array<std::int64_t, 3> dimensions; ///< may be less than those of the data set
   ImageGeometry geometry;
+  std::optional<ArraySelection> selection = {}; ///< the last three axes if there is none
 };
+
+/// The group in which ITK's HDF5ImageIO keeps an image.
+constexpr const char* ItkGroup = "/ITKImage/0";
+
+/// The last three axes of an array, of which the last is x, at the first place along others.
+ArraySelection LastAxes(std::size_t rank)
+{
+  constexpr std::size_t None = ArraySelection::NoAxis;
+  ArraySelection selection = { { None, None, None }, std::vector<std::int64_t>(rank, 0) };
+  for (std::size_t axis = 0; axis < std::min<std::size_t>(rank, 3); ++axis)
+  {
+    selection.axes[axis] = rank - 1 - axis;
+  }
+  return selection;
+}
 
 class Hdf5Pyramid : public VoxelPyramid
 {
@@ -44,21 +67,23 @@ public:
 private:
   void TakeImaris();
   void TakeBigDataViewer();
+  void TakeItk();
   void TakeDataSet(const std::string& name);
   void AddLevel(const Hdf5Level& level);
   std::string LargestDataSet() const;
-  glm::dvec3 ElementSizeMm(const std::string& name);
+  void TakeElementSizes(const std::string& name, ArrayAxes& axes);
+  void AddNamed(const std::string& name, const ArrayAxes& axes, const ImageGeometry* geometry);
   void NameOthers(const std::string& what, std::size_t count, std::size_t taken);
   std::size_t TimeToRead() const;
-  std::vector<std::int64_t> AlongDataSet(
-    std::size_t level, const std::array<std::int64_t, 3>& alongVolume, std::int64_t others) const;
+  std::vector<std::int64_t> AlongDataSet(std::size_t level,
+    const std::array<std::int64_t, 3>& alongVolume, std::vector<std::int64_t> others) const;
 
   Hdf5Path path;
   std::unique_ptr<Hdf5File> file;
   std::size_t channel;
   std::int64_t wantedTime;
-  std::vector<std::string> dataSets;            ///< one for each level
-  std::vector<std::vector<std::int64_t>> sizes; ///< sizes of these data sets
+  std::vector<std::string> dataSets;      ///< one for each level
+  std::vector<ArraySelection> selections; ///< of these data sets
 };
 
 Hdf5Pyramid::Hdf5Pyramid(const std::string& given, const ReadOptions& options)
@@ -78,6 +103,10 @@ Hdf5Pyramid::Hdf5Pyramid(const std::string& given, const ReadOptions& options)
   else if (this->file->Has("/t00000/s00/0/cells"))
   {
     this->TakeBigDataViewer();
+  }
+  else if (this->file->Has(std::string(ItkGroup) + "/VoxelData"))
+  {
+    this->TakeItk();
   }
   else
   {
@@ -122,12 +151,18 @@ void Hdf5Pyramid::AddLevel(const Hdf5Level& level)
       "values of another kind or " + std::to_string(rank) + " axes");
   }
   BrickSource::Level bricks = { { 1, 1, 1 }, { 1, 1, 1 }, { 1.0, 1.0, 1.0 } };
-  for (std::size_t axis = 0; axis < std::min<std::size_t>(rank, 3); ++axis)
+  const ArraySelection selection = level.selection.value_or(LastAxes(rank));
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const std::int64_t size = layout.size[rank - 1 - axis];
+    const std::size_t place = selection.axes[axis];
+    if (place == ArraySelection::NoAxis)
+    {
+      continue;
+    }
+    const std::int64_t size = layout.size[place];
     const std::int64_t wanted = level.dimensions[axis];
     bricks.dimensions[axis] = wanted > 0 ? std::min(wanted, size) : size;
-    bricks.chunk[axis] = std::min(bricks.dimensions[axis], layout.chunk[rank - 1 - axis]);
+    bricks.chunk[axis] = std::min(bricks.dimensions[axis], layout.chunk[place]);
     if (size < 1)
     {
       FailToRead(this->path.file, "at least one voxel in " + Quoted(level.dataSet, 80), "none");
@@ -142,7 +177,7 @@ void Hdf5Pyramid::AddLevel(const Hdf5Level& level)
   this->form.levels.push_back(bricks);
   this->form.geometries.push_back(level.geometry);
   this->dataSets.push_back(level.dataSet);
-  this->sizes.push_back(layout.size);
+  this->selections.push_back(selection);
 }
 
 /// A name such as "/s07".
@@ -183,6 +218,7 @@ void Hdf5Pyramid::TakeImaris()
     lowest[axis] = NumberIn(*this->file, info, "ExtMin" + number) * mmPerUnit;
     highest[axis] = NumberIn(*this->file, info, "ExtMax" + number) * mmPerUnit;
   }
+  this->form.warnings.push_back(UnknownSides);
   const std::string first = "/DataSet/ResolutionLevel 0";
   this->form.times = ImarisTimes(*this->file, this->file->Count(first + "/TimePoint %"));
   this->NameOthers("channels", this->file->Count(first + "/TimePoint 0/Channel %"), this->channel);
@@ -211,6 +247,7 @@ void Hdf5Pyramid::TakeBigDataViewer()
 {
   const glm::dvec3 stepMm =
     BigDataViewerVoxelMm(this->path.file, this->channel, this->form.warnings);
+  this->form.warnings.push_back(UnknownSides);
   this->form.times = NumberedTimes(std::int64_t(CountOfNames(*this->file, "/t", 5)));
   this->NameOthers("setups", CountOfNames(*this->file, "/s", 2), this->channel);
   const std::string setup = NameOfNumber("/s", this->channel, 2);
@@ -276,35 +313,111 @@ std::string Hdf5Pyramid::LargestDataSet() const
   return largest;
 }
 
-/// Sizes of a voxel along x, y and z, as ilastik and Fiji write them: z first.
-glm::dvec3 Hdf5Pyramid::ElementSizeMm(const std::string& name)
+/// The names of a data set's axes: those of ilastik, the labels of HDF5, or the names of their
+/// scales; empty texts if it has none of these.
+std::vector<std::string> AxisNames(const Hdf5File& file, const std::string& name, std::size_t rank)
 {
-  const std::vector<double> sizes = this->file->NumberAttribute(name, "element_size_um");
-  if (sizes.size() != 3)
+  std::vector<std::string> names;
+  const nlohmann::json axes =
+    nlohmann::json::parse(file.TextAttribute(name, "axistags"), nullptr, false);
+  for (const nlohmann::json& axis : ListIn(ValueAt(axes, "axes")))
+  {
+    names.push_back(TextIn(ValueAt(axis, "key")));
+  }
+  names = names.size() == rank ? names : file.TextsAttribute(name, "DIMENSION_LABELS");
+  if (names.size() != rank)
+  {
+    names = file.ScalesOf(name);
+    std::for_each(
+      names.begin(), names.end(), [](std::string& scale) { scale.erase(0, scale.rfind('/') + 1); });
+  }
+  return names.size() == rank ? names : std::vector<std::string>(rank);
+}
+
+/// Places axes by the coordinates in their scales. @returns false if an axis of space has none
+bool TakeScales(const Hdf5File& file, const std::string& name, ArrayAxes& axes,
+  std::vector<std::string>& warnings)
+{
+  const std::vector<std::string> scales = file.ScalesOf(name);
+  bool areKnown = scales.size() == axes.size();
+  for (std::size_t i = 0; areKnown && i < axes.size(); ++i)
+  {
+    const bool isPlaced = !scales[i].empty() &&
+      PlaceAxis(file.Numbers(scales[i]), Trimmed(file.TextAttribute(scales[i], "units")), axes[i],
+        warnings);
+    areKnown = isPlaced || !axes[i].world;
+  }
+  return areKnown;
+}
+
+/// Takes the sizes of a voxel as ilastik and Fiji write them: one for each axis, or the last three
+/// for those of space, z first.
+void Hdf5Pyramid::TakeElementSizes(const std::string& name, ArrayAxes& axes)
+{
+  constexpr double MmPerMicrometre = 1e-3;
+  std::vector<double> sizes = this->file->NumberAttribute(name, "element_size_um");
+  std::vector<ArrayAxis*> sized;
+  for (ArrayAxis& axis : axes)
+  {
+    if (axis.world || sizes.size() == axes.size())
+    {
+      sized.push_back(&axis);
+    }
+  }
+  if (sizes.size() < sized.size() || sizes.size() < 3)
   {
     this->form.warnings.push_back(UnknownSpacing);
-    return glm::dvec3(1.0);
+    return;
   }
-  constexpr double MmPerMicrometre = 1e-3;
-  return glm::dvec3(sizes[2], sizes[1], sizes[0]) * MmPerMicrometre;
+  const auto isLength = [](double size) { return std::isnormal(size) && size > 0.0; };
+  const auto known = std::find_if(sizes.rbegin(), sizes.rend(), isLength);
+  for (std::size_t i = 0; i < sized.size(); ++i)
+  {
+    const double stated = sizes[sizes.size() - sized.size() + i];
+    const double size = isLength(stated) || known == sizes.rend() ? stated : *known;
+    sized[i]->scale = isLength(size) ? size : 1.0;
+    sized[i]->mmPerUnit = MmPerMicrometre;
+    if (sized[i]->world && !isLength(stated))
+    {
+      char text[160];
+      std::snprintf(text, sizeof(text),
+        "The file says that voxels are %g um long along %.20s; %g um was assumed.", stated,
+        sized[i]->name.c_str(), sized[i]->scale);
+      this->form.warnings.push_back(text);
+    }
+  }
+}
+
+/// Adds a data set as the only level.
+/// @param geometry  null if the axes say it
+void Hdf5Pyramid::AddNamed(
+  const std::string& name, const ArrayAxes& axes, const ImageGeometry* geometry)
+{
+  const std::vector<std::int64_t> shape = LayoutOf(*this->file, name).size;
+  DescribeAxes(axes, shape, int(this->channel), this->form);
+  ReadOptions options;
+  options.channel = int(this->channel);
+  options.time = std::int64_t(this->TimeToRead());
+  const ArraySelection selection = SelectionOf(this->path.file, axes, shape, false, options);
+  this->AddLevel({ name, {}, geometry ? *geometry : GeometryOf(axes, selection), selection });
 }
 
 void Hdf5Pyramid::TakeDataSet(const std::string& name)
 {
-  const glm::dvec3 stepMm = this->ElementSizeMm(name);
-  Hdf5Level level = { name, {}, {} };
-  for (int axis = 0; axis < 3; ++axis)
+  const std::size_t rank = LayoutOf(*this->file, name).size.size();
+  ArrayAxes axes = AxesNamed(this->path.file, AxisNames(*this->file, name, rank));
+  if (!TakeScales(*this->file, name, axes, this->form.warnings))
   {
-    level.geometry.axesMm[axis] = glm::dvec3(0.0);
-    level.geometry.axesMm[axis][axis] = stepMm[axis];
+    this->TakeElementSizes(name, axes);
   }
-  this->AddLevel(level);
-  this->NameOthers("channels", 1, this->channel);
-  const std::vector<std::int64_t>& size = this->sizes.front();
-  for (std::size_t axis = 0; axis + 3 < size.size(); ++axis)
+  this->AddNamed(name, axes, nullptr);
+  const auto number = [&](const char* attribute) -> std::optional<double>
   {
-    this->NameOthers("places along axis " + std::to_string(axis), std::size_t(size[axis]), 0);
-  }
+    const std::vector<double> numbers = this->file->NumberAttribute(name, attribute);
+    return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
+  };
+  WarnOfScale(number("scale_factor"), number("add_offset"), this->form.warnings);
+  this->form.warnings.push_back(UnknownSides);
   const std::size_t count = this->file->DataSets().size();
   if (count > 1 && this->path.inner.empty())
   {
@@ -314,14 +427,44 @@ void Hdf5Pyramid::TakeDataSet(const std::string& name)
   }
 }
 
-/// Numbers for the axes of a data set, slowest first.
-/// @param others  the number for axes that the volume does not have
-std::vector<std::int64_t> Hdf5Pyramid::AlongDataSet(
-  std::size_t level, const std::array<std::int64_t, 3>& alongVolume, std::int64_t others) const
+/// Takes an image of ITK, whose axes lie in LPS: a row of the directions for each.
+void Hdf5Pyramid::TakeItk()
 {
-  std::vector<std::int64_t> numbers(this->sizes[level].size(), others);
-  std::copy_n(alongVolume.begin(), std::min<std::size_t>(numbers.size(), 3), numbers.rbegin());
-  return numbers;
+  const std::string group = ItkGroup;
+  const std::string voxels = group + "/VoxelData";
+  const std::vector<double> spacing = this->file->Numbers(group + "/Spacing");
+  const std::vector<double> origin = this->file->Numbers(group + "/Origin");
+  const std::vector<double> directions = this->file->Numbers(group + "/Directions");
+  if (spacing.size() != 3 || origin.size() != 3 || directions.size() != 9)
+  {
+    this->TakeDataSet(voxels);
+    return;
+  }
+  ImageGeometry geometry;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    geometry.originMm[int(axis)] = origin[axis];
+    geometry.axesMm[int(axis)] = spacing[axis] * glm::make_vec3(directions.data() + 3 * axis);
+  }
+  std::vector<std::string> names = { "z", "y", "x" };
+  names.resize(std::max<std::size_t>(3, LayoutOf(*this->file, voxels).size.size()), "channel");
+  this->AddNamed(voxels, AxesNamed(this->path.file, names), &geometry);
+}
+
+/// Numbers for the axes of a data set, slowest first.
+/// @param others  the numbers for axes that the volume does not have
+std::vector<std::int64_t> Hdf5Pyramid::AlongDataSet(std::size_t level,
+  const std::array<std::int64_t, 3>& alongVolume, std::vector<std::int64_t> others) const
+{
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t place = this->selections[level].axes[axis];
+    if (place != ArraySelection::NoAxis)
+    {
+      others[place] = alongVolume[axis];
+    }
+  }
+  return others;
 }
 
 StoredChunks Hdf5Pyramid::Stored(int number) const
@@ -335,8 +478,9 @@ StoredChunks Hdf5Pyramid::Stored(int number) const
   for (std::int64_t i = 0; areFew && i < slices * count[2]; ++i)
   {
     const std::array<std::int64_t, 3> place = { i % count[0], i / count[0] % count[1], i / slices };
-    starts.push_back(this->AlongDataSet(
-      level, { place[0] * form.chunk[0], place[1] * form.chunk[1], place[2] * form.chunk[2] }, 0));
+    starts.push_back(this->AlongDataSet(level,
+      { place[0] * form.chunk[0], place[1] * form.chunk[1], place[2] * form.chunk[2] },
+      this->selections[level].start));
   }
   const Hdf5Chunks chunks = ChunksOf(*this->file, this->dataSets[level], starts);
   const auto written = fs::last_write_time(this->path.file).time_since_epoch().count();
@@ -347,8 +491,9 @@ StoredChunks Hdf5Pyramid::Stored(int number) const
 std::int64_t Hdf5Pyramid::Read(int number, const BrickSource::Box& box, void* voxels)
 {
   const auto level = std::size_t(number);
-  ReadHdf5Box(*this->file, this->dataSets[level], this->AlongDataSet(level, box.lower, 0),
-    this->AlongDataSet(level, SizeOf(box), 1), voxels);
+  const std::vector<std::int64_t>& start = this->selections[level].start;
+  ReadHdf5Box(*this->file, this->dataSets[level], this->AlongDataSet(level, box.lower, start),
+    this->AlongDataSet(level, SizeOf(box), std::vector<std::int64_t>(start.size(), 1)), voxels);
   return 0;
 }
 

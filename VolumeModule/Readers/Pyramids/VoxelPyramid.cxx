@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 namespace varimarch
@@ -87,6 +88,20 @@ void SetScales(const std::string& path, PyramidForm& form)
       }
       form.levels[level].scale[axis] = scale;
     }
+  }
+}
+
+void WarnOfScale(
+  std::optional<double> factor, std::optional<double> offset, std::vector<std::string>& warnings)
+{
+  if (factor.value_or(1.0) != 1.0 || offset.value_or(0.0) != 0.0)
+  {
+    char text[160];
+    std::snprintf(text, sizeof(text),
+      "The file says that its values are %g times the stored ones plus %g; the stored ones were "
+      "read.",
+      factor.value_or(1.0), offset.value_or(0.0));
+    warnings.push_back(text);
   }
 }
 

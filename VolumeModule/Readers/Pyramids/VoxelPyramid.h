@@ -100,6 +100,11 @@ double ValueIn(const std::vector<char>& bytes, int scalarType);
 /// @param path  path for the error message
 void SetScales(const std::string& path, PyramidForm& form);
 
+/// Adds a sentence if a file maps its values by a factor and an offset other than 1 and 0, which is
+/// not done while chunks are read.
+void WarnOfScale(
+  std::optional<double> factor, std::optional<double> offset, std::vector<std::string>& warnings);
+
 /// The bytes of a chunk, or of a box, that has to be in memory as a whole.
 /// @param path  path for the error message
 /// @throws std::runtime_error if they do not fit in the memory that is free

@@ -26,10 +26,11 @@ namespace
 namespace fs = std::filesystem;
 
 /// Length of the volume's axis in a list for the axes of the array.
-std::int64_t Along(const ZarrSelection& selection, int axis, const std::vector<std::int64_t>& sizes)
+std::int64_t Along(
+  const ArraySelection& selection, int axis, const std::vector<std::int64_t>& sizes)
 {
   const std::size_t place = selection.axes[axis];
-  return place == ZarrSelection::NoAxis ? 1 : sizes[place];
+  return place == ArraySelection::NoAxis ? 1 : sizes[place];
 }
 
 /// The names in folders, each of which is listed once, since a question for each file would take
@@ -139,7 +140,7 @@ std::vector<std::int64_t> ZarrArray::ChunkSteps() const
 }
 
 ZarrArray::Part ZarrArray::PartIn(const std::array<std::int64_t, 3>& chunkIndex,
-  const ZarrSelection& selection, const BrickSource::Box& box) const
+  const ArraySelection& selection, const BrickSource::Box& box) const
 {
   const std::vector<std::int64_t> steps = this->ChunkSteps();
   std::vector<std::int64_t> index;
@@ -162,7 +163,7 @@ ZarrArray::Part ZarrArray::PartIn(const std::array<std::int64_t, 3>& chunkIndex,
     part.boxOffset += (begin - box.lower[axis]) * boxStep;
     part.boxSteps[axis] = boxStep;
     boxStep *= boxSize[axis];
-    if (place != ZarrSelection::NoAxis)
+    if (place != ArraySelection::NoAxis)
     {
       index[place] = chunkIndex[axis];
       part.chunkOffset += (begin - chunkBegin) * steps[place];
@@ -173,7 +174,7 @@ ZarrArray::Part ZarrArray::PartIn(const std::array<std::int64_t, 3>& chunkIndex,
 }
 
 std::vector<ZarrArray::Part> ZarrArray::PartsOf(
-  const ZarrSelection& selection, const BrickSource::Box& box) const
+  const ArraySelection& selection, const BrickSource::Box& box) const
 {
   std::array<std::int64_t, 3> first;
   std::array<std::int64_t, 3> last;
@@ -198,7 +199,7 @@ std::vector<ZarrArray::Part> ZarrArray::PartsOf(
 }
 
 /// Copies the part of a chunk into a box, or the fill value if the chunk has no file.
-bool ZarrArray::ReadPart(const Part& part, const ZarrSelection& selection, char* voxels) const
+bool ZarrArray::ReadPart(const Part& part, const ArraySelection& selection, char* voxels) const
 {
   const std::vector<std::int64_t> all = this->ChunkSteps();
   std::array<std::int64_t, 3> steps;
@@ -241,7 +242,7 @@ bool ZarrArray::ReadPart(const Part& part, const ZarrSelection& selection, char*
 }
 
 std::int64_t ZarrArray::Read(
-  const ZarrSelection& selection, const BrickSource::Box& box, void* voxels) const
+  const ArraySelection& selection, const BrickSource::Box& box, void* voxels) const
 {
   const std::vector<Part> parts = this->PartsOf(selection, box);
   std::atomic<std::int64_t> missing = 0;
@@ -252,7 +253,7 @@ std::int64_t ZarrArray::Read(
 }
 
 StoredChunks ZarrArray::Stored(
-  const ZarrSelection& selection, const std::array<std::int64_t, 3>& size) const
+  const ArraySelection& selection, const std::array<std::int64_t, 3>& size) const
 {
   std::array<std::int64_t, 3> count;
   for (int axis = 0; axis < 3; ++axis)

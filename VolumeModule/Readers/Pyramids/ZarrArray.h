@@ -2,6 +2,7 @@
 #define Varimarch_Readers_Pyramids_ZarrArray_h
 
 #include "Core/Blocks/BrickSource.h"
+#include "Readers/Pyramids/ArraySelection.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Pyramids/ZarrHeader.h"
 
@@ -13,17 +14,6 @@
 
 namespace varimarch
 {
-
-/// The axes of an array in which a volume lies, and its place along the others.
-struct ZarrSelection
-{
-  static constexpr std::size_t NoAxis = std::size_t(-1);
-
-  /// For each axis of the volume in memory, the fastest first, the axis of the array; NoAxis for
-  /// one that the array does not have, with a single voxel.
-  std::array<std::size_t, 3> axes;
-  std::vector<std::int64_t> start; ///< the index along each axis of the array
-};
 
 /// An array of Zarr version 2: a folder with a description in JSON and a file for each chunk. See
 /// https://zarr-specs.readthedocs.io/en/latest/v2/v2.0.html
@@ -39,12 +29,12 @@ public:
   /// @returns the number of chunks without a file, whose voxels have the fill value
   /// @throws std::runtime_error if a chunk is damaged or cannot be in memory
   std::int64_t Read(
-    const ZarrSelection& selection, const BrickSource::Box& box, void* voxels) const;
+    const ArraySelection& selection, const BrickSource::Box& box, void* voxels) const;
 
   /// Looks for the files of the chunks that a volume needs.
   /// @param size  the number of the volume's voxels along each axis
   StoredChunks Stored(
-    const ZarrSelection& selection, const std::array<std::int64_t, 3>& size) const;
+    const ArraySelection& selection, const std::array<std::int64_t, 3>& size) const;
 
 private:
   /// The part of a box that is in one chunk.
@@ -59,10 +49,10 @@ private:
 
   std::string ChunkPath(const std::vector<std::int64_t>& index) const;
   std::vector<std::int64_t> ChunkSteps() const;
-  Part PartIn(const std::array<std::int64_t, 3>& chunkIndex, const ZarrSelection& selection,
+  Part PartIn(const std::array<std::int64_t, 3>& chunkIndex, const ArraySelection& selection,
     const BrickSource::Box& box) const;
-  std::vector<Part> PartsOf(const ZarrSelection& selection, const BrickSource::Box& box) const;
-  bool ReadPart(const Part& part, const ZarrSelection& selection, char* voxels) const;
+  std::vector<Part> PartsOf(const ArraySelection& selection, const BrickSource::Box& box) const;
+  bool ReadPart(const Part& part, const ArraySelection& selection, char* voxels) const;
 
   std::string folder;
   ZarrHeader header;

@@ -37,9 +37,9 @@ std::vector<std::int64_t> SizesIn(
   }
   const bool areSizes =
     std::all_of(sizes.begin(), sizes.end(), [](std::int64_t size) { return size > 0; });
-  if (sizes.size() < 2 || sizes.size() > MostAxes || !areSizes)
+  if (sizes.empty() || sizes.size() > MostAxes || !areSizes)
   {
-    FailToRead(path, std::string("whole numbers above 0 for 2 to 16 axes as ") + key,
+    FailToRead(path, std::string("whole numbers above 0 for 1 to 16 axes as ") + key,
       Quoted(ValueAt(header, key).dump()));
   }
   return sizes;

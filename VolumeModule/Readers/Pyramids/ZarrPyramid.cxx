@@ -1,10 +1,11 @@
 // OME-Zarr 0.1 to 0.4, and arrays of Zarr version 2 without that metadata. See
 // https://ngff.openmicroscopy.org/0.4/
 #include "Readers/FileError.h"
+#include "Readers/Pyramids/ArrayAxes.h"
 #include "Readers/Pyramids/Json.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
+#include "Readers/Pyramids/XarrayGroup.h"
 #include "Readers/Pyramids/ZarrArray.h"
-#include "Readers/Pyramids/ZarrAxes.h"
 #include "Readers/VoxelLayout.h"
 
 #include <algorithm>
@@ -37,15 +38,15 @@ public:
 
 private:
   void AddMultiscale(const nlohmann::json& attributes);
-  void AddLevel(const std::string& folder, const ZarrAxes& axes);
-  void CountChannels(const ZarrAxes& axes, const ZarrHeader& header);
+  void AddArray(const nlohmann::json& attributes);
+  void AddLevel(const std::string& folder, const ArrayAxes& axes);
   void TakeChannels(const nlohmann::json& attributes);
   void TakeWindow(const nlohmann::json& attributes);
 
   std::string folder;
   ReadOptions options; ///< only the channel and the time are used
   std::vector<ZarrArray> arrays;
-  std::vector<ZarrSelection> selections;
+  std::vector<ArraySelection> selections;
 };
 
 ZarrPyramid::ZarrPyramid(const std::string& folder, const ReadOptions& options)
@@ -63,24 +64,42 @@ ZarrPyramid::ZarrPyramid(const std::string& folder, const ReadOptions& options)
   }
   else
   {
-    const ZarrHeader header = ReadZarrHeader(folder);
-    this->AddLevel(folder, PlainZarrAxes(folder, header.shape.size()));
-    this->form.warnings.push_back(UnknownSpacing);
+    this->AddArray(attributes);
   }
   SetScales(folder, this->form);
 }
 
-void ZarrPyramid::AddLevel(const std::string& levelFolder, const ZarrAxes& axes)
+/// Adds an array whose axes xarray names, or nobody does; or the largest one of a group of xarray.
+void ZarrPyramid::AddArray(const nlohmann::json& attributes)
+{
+  std::vector<std::string>& warnings = this->form.warnings;
+  if (const std::optional<XarrayVariable> variable = LargestXarrayVariable(this->folder))
+  {
+    this->AddLevel(variable->folder, variable->axes);
+    warnings.insert(warnings.end(), variable->warnings.begin(), variable->warnings.end());
+  }
+  else
+  {
+    const ZarrHeader header = ReadZarrHeader(this->folder);
+    this->AddLevel(
+      this->folder, AxesNamed(this->folder, XarrayNames(attributes, header.shape.size())));
+    warnings.push_back(UnknownSpacing);
+  }
+  warnings.push_back(UnknownSides);
+}
+
+void ZarrPyramid::AddLevel(const std::string& levelFolder, const ArrayAxes& axes)
 {
   const ZarrArray& array = this->arrays.emplace_back(levelFolder);
   const ZarrHeader& header = array.Header();
-  this->selections.push_back(SelectionOf(levelFolder, axes, header, this->options));
-  const ZarrSelection& selection = this->selections.back();
+  this->selections.push_back(
+    SelectionOf(levelFolder, axes, header.shape, header.isFortran, this->options));
+  const ArraySelection& selection = this->selections.back();
   BrickSource::Level level = { { 1, 1, 1 }, { 1, 1, 1 }, { 1.0, 1.0, 1.0 } };
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::size_t place = selection.axes[axis];
-    if (place != ZarrSelection::NoAxis)
+    if (place != ArraySelection::NoAxis)
     {
       level.dimensions[axis] = header.shape[place];
       level.chunk[axis] = std::min(header.shape[place], header.chunk[place]);
@@ -89,12 +108,7 @@ void ZarrPyramid::AddLevel(const std::string& levelFolder, const ZarrAxes& axes)
   if (this->form.levels.empty())
   {
     this->form.scalarType = header.scalarType;
-    this->form.times = TimesOf(axes, header);
-    for (const std::string& left : LeftOut(axes, header))
-    {
-      this->form.warnings.push_back(left);
-    }
-    this->CountChannels(axes, header);
+    DescribeAxes(axes, header.shape, this->options.channel, this->form);
   }
   if (header.scalarType != this->form.scalarType)
   {
@@ -133,27 +147,10 @@ void ZarrPyramid::AddMultiscale(const nlohmann::json& attributes)
       FailToRead(
         path, "a path below its folder for each dataset", Quoted(ValueAt(dataset, "path").dump()));
     }
-    ZarrAxes axes = OmeAxes(path, multiscale, this->form.warnings);
+    ArrayAxes axes = OmeAxes(path, multiscale, this->form.warnings);
     ApplyTransforms(path, ValueAt(dataset, "coordinateTransformations"), axes);
     ApplyTransforms(path, ValueAt(multiscale, "coordinateTransformations"), axes);
     this->AddLevel((fs::path(this->folder) / inner).string(), axes);
-  }
-}
-
-/// More channels than components of a voxel are not named.
-void ZarrPyramid::CountChannels(const ZarrAxes& axes, const ZarrHeader& header)
-{
-  constexpr std::int64_t MostChannels = 4;
-  for (std::size_t i = 0; i < axes.size(); ++i)
-  {
-    if (axes[i].isChannel && header.shape[i] > 1)
-    {
-      this->form.otherChannels = PlaceLeftOut(axes[i], header.shape[i], this->options.channel);
-      for (std::int64_t c = 0; header.shape[i] <= MostChannels && c < header.shape[i]; ++c)
-      {
-        this->form.channels.push_back({ "Channel " + std::to_string(c + 1), {} });
-      }
-    }
   }
 }
 
@@ -229,7 +226,7 @@ std::string ImageFolder(const std::string& path, std::vector<std::string>& warni
 void CheckHoldsVolume(const std::string& folder)
 {
   const fs::path place = folder;
-  const bool hasArray = fs::exists(place / ZarrArrayFile);
+  const bool hasArray = fs::exists(place / ZarrArrayFile) || LargestXarrayVariable(folder);
   if (!hasArray && fs::exists(place / ZarrOfVersion3))
   {
     FailToRead(folder, "Zarr of version 2, as in OME-Zarr 0.4 (other programs convert to it)",
