@@ -194,13 +194,25 @@ bool IsMicroscopy(const std::string& modality)
   return modality == "SM" || modality == "GM";
 }
 
-bool IsAboutPatient(Subject subject, const Volume& volume)
+bool WarnsOfSides(const Volume& volume)
 {
   const auto& warnings = volume.warnings;
+  return std::find(warnings.begin(), warnings.end(), UnknownSides) != warnings.end();
+}
+
+bool IsAboutPatient(Subject subject, const Volume& volume)
+{
   return !IsMicroscopy(volume.modality) &&
     (subject == Subject::Patient ||
-      (subject == Subject::PatientIfSidesAreKnown &&
-        std::find(warnings.begin(), warnings.end(), UnknownSides) == warnings.end()));
+      (subject == Subject::PatientIfSidesAreKnown && !WarnsOfSides(volume)));
+}
+
+/// True for a file that cannot say which side is the patient's left. Archives hold files of other
+/// formats, and whoever describes raw voxels knows how they lie.
+bool LacksSides(const VolumeFormat& format, const Volume& volume)
+{
+  return format.subject == Subject::Anything && format.read != ReadPacked &&
+    format.read != ReadRaw && !volume.showsPatient;
 }
 
 /// Refuses the wish for a level or a channel of a format that has none.
@@ -287,6 +299,10 @@ Volume ReadUnrectified(const std::string& path, const ReadOptions& options, Read
   CheckHasParts(path, format, options);
   Volume volume = format.read(path, options, progress);
   volume.showsPatient = volume.showsPatient || IsAboutPatient(format.subject, volume);
+  if (LacksSides(format, volume) && !WarnsOfSides(volume))
+  {
+    volume.warnings.push_back(UnknownSides);
+  }
   TakeTimes(path, volume.times, options, volume);
   // ParaView shows such voxels by their magnitude too.
   const int componentCount = volume.image->GetNumberOfScalarComponents();

@@ -76,7 +76,10 @@ Volume ReadPvm(const std::string& path, const ReadOptions&, ReadProgress& progre
     static_cast<char*>(volume.image->GetScalarPointer()));
   SwapToHostOrder(true, volume.image);
   PlaceImage(path, geometry, volume.image);
-  volume.warnings.push_back(hasSpacing ? UnknownSides : UnknownSpacing);
+  if (!hasSpacing)
+  {
+    volume.warnings.push_back(UnknownSpacing);
+  }
   return volume;
 }
 

@@ -169,7 +169,6 @@ Volume ReadSlc(const std::string& path, const ReadOptions&, ReadProgress& progre
     destination += header.layout.dimensions[0] * header.layout.dimensions[1];
   }
   PlaceImage(path, header.geometry, volume.image);
-  volume.warnings.push_back(UnknownSides);
   return volume;
 }
 

@@ -24,7 +24,6 @@ ImageGeometry StackGeometry(
       "The distance of the slices is unknown; that of the pixels, %g mm, was assumed.", spacing.x);
     warnings.push_back(text);
   }
-  warnings.push_back(UnknownSides);
 
   // Directions of rows and columns for each orientation.
   static const glm::dvec3 along[8] = { { 1, 0, 0 }, { -1, 0, 0 }, { -1, 0, 0 }, { 1, 0, 0 },
