@@ -196,4 +196,13 @@ TEST_F(NiftiVariants, AMatrixFileThatCannotBeReadIsWarnedOf)
   EXPECT_TRUE(read.WarnsOf("head.mat")) << read.warnings;
 }
 
+TEST_F(NiftiVariants, TheMarkOfAPairIsIgnoredInAFileOfItsOwn)
+{
+  std::string bytes = NiftiBytes(this->volume);
+  bytes.replace(344, 3, "ni1");
+  const VolumeRead read = this->Read(bytes);
+  EXPECT_EQ(read.error, "");
+  EXPECT_EQ(read.values, this->volume.values);
+}
+
 }

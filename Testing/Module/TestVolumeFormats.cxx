@@ -162,6 +162,45 @@ TEST(VolumeFormats, AnMrcMapHasItsAxesInAnyOrder)
   }
 }
 
+TEST(VolumeFormats, AnMrcStackOfVolumesHasTimes)
+{
+  const TemporaryFolder folder;
+  StoredVolume volume = phantom::Stored(0);
+  volume.axesMm = glm::dmat3(1e-7);
+  std::string bytes = MrcBytes(volume);
+  Put(bytes, 36, std::int32_t(1));   // slices of each volume
+  Put(bytes, 88, std::int32_t(401)); // the space group of such stacks
+  vtkNew<vtkVolumeFileReader> reader;
+  Read(reader, folder.Write("a.mrc", bytes));
+  EXPECT_EQ(reader->GetNumberOfTimes(), 3);
+  ExpectValues(reader, VTK_SHORT, { volume.values.begin(), volume.values.begin() + 20 });
+  reader->SetTimeIndex(2);
+  reader->Update();
+  ExpectValues(reader, VTK_SHORT, { volume.values.begin() + 40, volume.values.end() });
+  EXPECT_TRUE(Warns(reader, "mirrored"));
+  Put(bytes, 36, std::int32_t(2));
+  const ExpectedVtkErrors errors;
+  reader->SetFileName(folder.Write("b.mrc", bytes).c_str());
+  reader->Update();
+  const std::string message = reader->GetErrorMessage();
+  EXPECT_NE(message.find("share evenly"), std::string::npos) << message;
+}
+
+TEST(VolumeFormats, AnMrcStackOfImagesSaysThatItIsNoVolume)
+{
+  const TemporaryFolder folder;
+  StoredVolume volume = phantom::Stored(0);
+  volume.axesMm = glm::dmat3(1e-7);
+  std::string bytes = MrcBytes(volume);
+  vtkNew<vtkVolumeFileReader> reader;
+  Read(reader, folder.Write("a.mrc", bytes));
+  EXPECT_FALSE(Warns(reader, "stack of 3 images"));
+  Put(bytes, 36, std::int32_t(1));
+  Read(reader, folder.Write("a.mrcs", bytes));
+  EXPECT_TRUE(Warns(reader, "stack of 3 images"));
+  ExpectValues(reader, VTK_SHORT, volume.values);
+}
+
 TEST(VolumeFormats, SlcAndPvmDecodeTheirCompression)
 {
   const TemporaryFolder folder;

@@ -4,6 +4,8 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/KeptInput.h"
+#include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 
 #include <glm/common.hpp>
@@ -96,6 +98,38 @@ glm::dmat3 CellEdges(const BinaryHeader& header)
     glm::dvec3(cosine.y, y, z) * length.z };
 }
 
+/// The number of volumes of equal depth that follow each other. The space group 0 means images, 1 a
+/// volume, and 401 to 630 a stack of volumes with as many slices each as there are intervals.
+std::int64_t VolumeCountOf(const std::string& path, const BinaryHeader& header)
+{
+  const int group = header.At<int>(88);
+  const int slices = header.At<int>(8);
+  const int each = header.At<int>(36);
+  if (group < 401 || group > 630)
+  {
+    return 1;
+  }
+  if (each < 1 || slices % each != 0)
+  {
+    FailToRead(path,
+      "a number of slices that its volumes (space group " + std::to_string(group) +
+        ") share evenly",
+      std::to_string(slices) + " slices in volumes of " + std::to_string(each));
+  }
+  return slices / each;
+}
+
+/// Warns of images that are no slices of a volume, such as those of single particles.
+void WarnOfImages(const BinaryHeader& header, std::vector<std::string>& warnings)
+{
+  const int count = header.At<int>(8);
+  if (header.At<int>(88) == 0 && header.At<int>(36) == 1 && count > 1)
+  {
+    warnings.push_back("The file says that it is a stack of " + std::to_string(count) +
+      " images (space group 0), not a volume; they were read as slices.");
+  }
+}
+
 /// Adds a warning if the file does not state the size of its voxels.
 ImageGeometry GeometryOf(const BinaryHeader& header, Volume& volume)
 {
@@ -129,7 +163,7 @@ bool IsMrc(const std::string& head)
   return head.size() >= 212 && head.compare(208, 3, "MAP") == 0;
 }
 
-Volume ReadMrc(const std::string& path, const ReadOptions&, ReadProgress& progress)
+Volume ReadMrc(const std::string& path, const ReadOptions& options, ReadProgress& progress)
 {
   const BinaryHeader little(path, mrcHeaderBytes, false);
   const BinaryHeader big(little.Bytes(), true);
@@ -151,8 +185,15 @@ Volume ReadMrc(const std::string& path, const ReadOptions&, ReadProgress& progre
 
   Volume volume;
   const ImageGeometry geometry = GeometryOf(header, volume);
-  volume.image = ReadVoxels(file, LayoutOf(path, header), progress);
+  VoxelLayout layout = LayoutOf(path, header);
+  file.volumeCount = VolumeCountOf(path, header);
+  layout.dimensions[2] /= file.volumeCount;
+  TakeTimes(path, NumberedTimes(file.volumeCount), options, volume);
+  file.volume = options.time;
+  file.kept = StreamOf(options);
+  volume.image = ReadVoxels(file, layout, progress);
   PlaceImage(path, geometry, volume.image);
+  WarnOfImages(header, volume.warnings);
   return volume;
 }
 

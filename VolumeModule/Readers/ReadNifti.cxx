@@ -138,6 +138,22 @@ std::string HeaderPath(const std::string& path)
                                                                   : path;
 }
 
+/// The header in a file. One with the mark of a pair is a file of its own if it is named so and has
+/// no partner.
+NiftiHeader HeaderIn(const std::string& path)
+{
+  NiftiHeader header = ReadNiftiHeader(path);
+  std::filesystem::path name = path;
+  if (name.extension() == ".gz")
+  {
+    name.replace_extension();
+  }
+  const bool isAlone = header.kind == NiftiKind::Pair && name.extension() == ".nii" &&
+    !std::filesystem::exists(NiftiPartner(path, ".img"));
+  header.kind = isAlone ? NiftiKind::OneFile : header.kind;
+  return header;
+}
+
 /// File offset of the voxels, after decompression.
 std::int64_t VoxelOffset(const std::string& path, const NiftiHeader& header, Volume& volume)
 {
@@ -206,7 +222,7 @@ Volume ReadNifti(const std::string& path, const ReadOptions& options, ReadProgre
 {
   Volume volume;
   const std::string headerPath = HeaderPath(path);
-  const NiftiHeader header = ReadNiftiHeader(headerPath);
+  const NiftiHeader header = HeaderIn(headerPath);
   const VoxelLayout layout = LayoutOf(headerPath, header, options, volume);
   const ImageGeometry geometry = GeometryOf(headerPath, header, volume.warnings);
   VoxelFile file = VoxelFileOf(headerPath, header, options, volume);
