@@ -378,7 +378,42 @@ def written_pyramids_replace_nothing_else(folder):
     turned.write_bytes(b"NRRD0004\ntype: uint8\ndimension: 3\nspace: LPS\nsizes: 2 2 2\n"
                        b"space directions: (0,1,0) (-1,0,0) (0,0,1)\nspace origin: (0,0,0)\n"
                        b"encoding: raw\n\n" + bytes(8))
-    assert "no directions" in run("convert", turned, folder / "turned.zarr")
+    assert "directions" not in run("convert", turned, folder / "turned.zarr")
+    oblique = turned.read_bytes().replace(b"(0,1,0) (-1,0,0)", b"(0.6,0.8,0) (-0.8,0.6,0)")
+    turned.write_bytes(oblique)
+    assert "no oblique directions" in run("convert", turned, folder / "oblique.zarr")
+
+
+def written_pyramids_keep_sides_and_places(folder):
+    """Orders and directions of axes along those of the patient are read where they were."""
+    values = values_of((3, 4, 5))
+    spacing = (0.5, 2.0, 3.0)
+    cases = itertools.product(
+        itertools.permutations(range(3)), itertools.product((1, -1), repeat=3))
+    for order, signs in list(cases)[::5]:
+        directions = numpy.zeros((3, 3))
+        for axis in range(3):
+            directions[axis, order[axis]] = signs[axis] * spacing[axis]
+        rows = " ".join(f"({','.join(str(number) for number in row)})" for row in directions)
+        source = folder / "a.nrrd"
+        source.write_bytes(
+            f"NRRD0004\ntype: int16\nendian: little\ndimension: 3\nspace: LPS\nsizes: 5 4 3\n"
+            f"space directions: {rows}\nspace origin: (7,-8,9)\nencoding: raw\n\n".encode()
+            + values.astype("<i2").tobytes())
+        target = folder / "a.zarr"
+        assert "warning" not in run("convert", source, target, "--overwrite")
+        found, image, doubts = read(target)
+        assert not any("mirrored" in doubt for doubt in doubts), doubts
+        for index in itertools.product((0, 4), (0, 3), (0, 2)):
+            place = numpy.array((7.0, -8.0, 9.0)) + numpy.array(index) @ directions
+            back = [0.0] * 3
+            image.TransformPhysicalPointToContinuousIndex(place, back)
+            i, j, k = (int(round(number)) for number in back)
+            assert numpy.allclose(back, (i, j, k), atol=1e-6), (order, signs, back)
+            assert found[k, j, i] == values[index[2], index[1], index[0]], (order, signs, index)
+        again = folder / "again.zarr"
+        run("convert", target, again, "--overwrite")
+        assert (read(again)[0] == found).all() and read(again)[1].GetOrigin() == image.GetOrigin()
 
 
 def written_pyramids_leave_nothing_behind(folder):

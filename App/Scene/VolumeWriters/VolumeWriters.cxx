@@ -30,12 +30,13 @@ std::string LossOfSegments(const LoadedVolume& volume)
 std::string LossOfTiff(const LoadedVolume&)
 {
   return "TIFF holds no position and no directions, so the file has only the spacing of the "
-         "voxels.";
+         "voxels; its columns run to the patient's left, its rows to the back and its slices to "
+         "the head, as nearly as the axes allow.";
 }
 
 std::string LossOfZarrFolder(const LoadedVolume& volume)
 {
-  return LossOfZarr(ZarrInputOf(volume).direction);
+  return LossOfZarr(ZarrInputOf(volume));
 }
 
 bool WriteZarrFolder(const LoadedVolume& volume, const std::string& path, bool)
@@ -114,7 +115,7 @@ std::vector<std::string> WriteChunkedVolume(
   WriteFolderWhole(
     path, MayReplaceZarr, [&](const std::string& part) { WriteZarr(input, part, observer); });
   std::vector<std::string> sentences;
-  const std::string loss = LossOfZarr(input.direction);
+  const std::string loss = LossOfZarr(input);
   if (!loss.empty())
   {
     sentences.push_back(loss);

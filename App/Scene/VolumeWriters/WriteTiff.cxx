@@ -23,9 +23,9 @@ std::string Attribute(const std::string& name, const std::string& value)
   return ' ' + name + "=\"" + value + '"';
 }
 
-std::string DescriptionOf(const WrittenImage& image)
+std::string DescriptionOf(const WrittenImage& image, const ZarrInput& input)
 {
-  const std::string spacing = TextOf(image.SpacingMm());
+  const std::string spacing = TextOf(input.spacingMm);
   const std::size_t second = spacing.find(' ') + 1;
   const std::size_t third = spacing.rfind(' ') + 1;
   const std::string count = std::to_string(image.ComponentCount());
@@ -33,15 +33,15 @@ std::string DescriptionOf(const WrittenImage& image)
                      "<OME xmlns=\"http://www.openmicroscopy.org/Schemas/OME/2016-06\">"
                      "<Image ID=\"Image:0\"><Pixels ID=\"Pixels:0\" DimensionOrder=\"XYCZT\"";
   text += Attribute("Type", image.Type().ome) +
-    Attribute("SizeX", std::to_string(image.Size()[0])) +
-    Attribute("SizeY", std::to_string(image.Size()[1])) +
-    Attribute("SizeZ", std::to_string(image.Size()[2])) + Attribute("SizeC", count) +
+    Attribute("SizeX", std::to_string(input.dimensions[0])) +
+    Attribute("SizeY", std::to_string(input.dimensions[1])) +
+    Attribute("SizeZ", std::to_string(input.dimensions[2])) + Attribute("SizeC", count) +
     Attribute("SizeT", "1") + Attribute("PhysicalSizeX", spacing.substr(0, second - 1)) +
     Attribute("PhysicalSizeY", spacing.substr(second, third - 1 - second)) +
     Attribute("PhysicalSizeZ", spacing.substr(third)) + Attribute("PhysicalSizeXUnit", "mm") +
     Attribute("PhysicalSizeYUnit", "mm") + Attribute("PhysicalSizeZUnit", "mm");
   return text + "><Channel ID=\"Channel:0:0\"" + Attribute("SamplesPerPixel", count) +
-    "/><TiffData IFD=\"0\"" + Attribute("PlaneCount", std::to_string(image.Size()[2])) +
+    "/><TiffData IFD=\"0\"" + Attribute("PlaneCount", std::to_string(input.dimensions[2])) +
     "/></Pixels></Image></OME>";
 }
 
@@ -53,12 +53,12 @@ int FormatOf(const WrittenImage& image)
                                              : SAMPLEFORMAT_INT;
 }
 
-void SetTags(TIFF* file, const WrittenImage& image)
+void SetTags(TIFF* file, const WrittenImage& image, const ZarrInput& input)
 {
   const int count = image.ComponentCount();
   const int colourCount = count >= 3 ? 3 : 1;
-  TIFFSetField(file, TIFFTAG_IMAGEWIDTH, image.Size()[0]);
-  TIFFSetField(file, TIFFTAG_IMAGELENGTH, image.Size()[1]);
+  TIFFSetField(file, TIFFTAG_IMAGEWIDTH, int(input.dimensions[0]));
+  TIFFSetField(file, TIFFTAG_IMAGELENGTH, int(input.dimensions[1]));
   TIFFSetField(file, TIFFTAG_BITSPERSAMPLE, int(8 * image.ValueBytes()));
   TIFFSetField(file, TIFFTAG_SAMPLESPERPIXEL, count);
   TIFFSetField(file, TIFFTAG_SAMPLEFORMAT, FormatOf(image));
@@ -71,7 +71,7 @@ void SetTags(TIFF* file, const WrittenImage& image)
     const std::uint16_t kinds[4] = {};
     TIFFSetField(file, TIFFTAG_EXTRASAMPLES, count - colourCount, kinds);
   }
-  TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, image.Size()[1]);
+  TIFFSetField(file, TIFFTAG_ROWSPERSTRIP, int(input.dimensions[1]));
 }
 
 /// Ignores libtiff's message, which it would print; the system's reason is reported.
@@ -106,18 +106,18 @@ bool WriteTiffFile(const LoadedVolume& volume, const std::string& path, bool)
   {
     return false;
   }
-  const auto sliceCount = std::size_t(image.Size()[2]);
-  const std::size_t sliceBytes = image.ByteCount() / sliceCount;
-  for (std::size_t slice = 0; slice < sliceCount; ++slice)
+  const ZarrInput input = InLpsOrder(ZarrInputOf(volume));
+  const auto [width, height, sliceCount] = input.dimensions;
+  std::vector<char> values(image.ByteCount() / std::size_t(sliceCount));
+  for (std::int64_t slice = 0; slice < sliceCount; ++slice)
   {
-    SetTags(file.get(), image);
+    SetTags(file.get(), image, input);
     if (slice == 0)
     {
-      TIFFSetField(file.get(), TIFFTAG_IMAGEDESCRIPTION, DescriptionOf(image).c_str());
+      TIFFSetField(file.get(), TIFFTAG_IMAGEDESCRIPTION, DescriptionOf(image, input).c_str());
     }
-    // libtiff does not change the values, but its argument is not const.
-    char* const values = const_cast<char*>(image.Values()) + slice * sliceBytes;
-    if (TIFFWriteEncodedStrip(file.get(), 0, values, tmsize_t(sliceBytes)) < 0 ||
+    input.read({ 0, 0, slice }, { width, height, slice + 1 }, values.data());
+    if (TIFFWriteEncodedStrip(file.get(), 0, values.data(), tmsize_t(values.size())) < 0 ||
       !TIFFWriteDirectory(file.get()))
     {
       return false;

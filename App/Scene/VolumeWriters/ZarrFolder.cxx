@@ -238,11 +238,13 @@ void ZarrWriting::Report()
 
 void WriteZarr(const ZarrInput& input, const std::string& folder, const LoadObserver& observer)
 {
-  ZarrWriting(input, folder, observer).Write();
+  const ZarrInput inOrder = InLpsOrder(input);
+  ZarrWriting(inOrder, folder, observer).Write();
 }
 
-std::string LossOfZarr(const glm::dmat3& direction)
+std::string LossOfZarr(const ZarrInput& input)
 {
+  const glm::dmat3 direction = InLpsOrder(input).direction;
   constexpr double Rounding = 1e-9;
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -253,8 +255,9 @@ std::string LossOfZarr(const glm::dmat3& direction)
     }
   }
   return largest > Rounding
-    ? "OME-Zarr 0.4 holds no directions of axes, so the folder has only the spacing of the voxels "
-      "and the position of the first one."
+    ? "OME-Zarr 0.4 holds no oblique directions of axes, so the folder has only the nearest sides "
+      "of "
+      "the patient, the spacing of the voxels and the position of the first one."
     : "";
 }
 

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace varimarch
 {
@@ -27,7 +28,8 @@ struct ZarrInput
   glm::dvec3 spacingMm = glm::dvec3(1.0);
   glm::dmat3 direction = glm::dmat3(1.0); ///< column a is the direction of axis a
   std::optional<std::array<double, 2>> windowLevel = {};
-  bool isLabels = false; ///< true for values between which there is no mean
+  bool isLabels = false;    ///< true for values between which there is no mean
+  bool statesSides = false; ///< true if it is known which side is the patient's left
   /// Fills memory with the voxels from `lower` to before `upper`, x fastest, with the components of
   /// a voxel together. Called from several threads at the same time.
   std::function<void(const std::array<std::int64_t, 3>& lower,
@@ -45,15 +47,21 @@ ZarrInput ZarrInputOf(const LoadedVolume& volume);
 /// @throws std::runtime_error if it cannot be read
 std::optional<ZarrInput> ChunkedInput(const FileSource& source, std::vector<std::string>& warnings);
 
+/// The volume with its axes in that order, and those backwards, in which they lie as near as
+/// possible to those of LPS: x to the patient's left, y to the back, z to the head.
+ZarrInput InLpsOrder(const ZarrInput& input);
+
 /// Writes OME-Zarr 0.4 into an empty folder: levels of half the voxels along each axis with more
 /// than 64, by means, until no axis has more; chunks of 64 x 64 x 64 voxels, in blosc with zstd.
+/// The axes are in the order of LPS, which the orientations of RFC-4 say if the sides are known.
 /// @param observer  receives the part that is done, [0, 1], and returns false to cancel
 /// @throws std::runtime_error with one sentence if a file cannot be written, or the observer
 /// cancels
 void WriteZarr(const ZarrInput& input, const std::string& folder, const LoadObserver& observer);
 
-/// A sentence about the directions, which the format does not hold; empty if they are the axes.
-std::string LossOfZarr(const glm::dmat3& direction);
+/// A sentence about the directions, which the format does not hold; empty if they are axes of the
+/// world.
+std::string LossOfZarr(const ZarrInput& input);
 
 }
 

@@ -2,10 +2,12 @@
 #include "Scene/VolumeWriters/ZarrFolder.h"
 
 #include "Readers/Decoder/DecodedPyramid.h"
+#include "Readers/ImageFacts.h"
 #include "Scene/VolumeWriters/WrittenImage.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cstring>
 
 namespace varimarch
@@ -28,6 +30,11 @@ std::shared_ptr<DecodedPyramid> PyramidOf(const FileSource& source)
   return OpenPyramidAt(source.path, options, silent);
 }
 
+bool StatesSides(const std::vector<std::string>& warnings)
+{
+  return std::find(warnings.begin(), warnings.end(), UnknownSides) == warnings.end();
+}
+
 }
 
 ZarrInput ZarrInputOf(const LoadedVolume& volume)
@@ -38,6 +45,7 @@ ZarrInput ZarrInputOf(const LoadedVolume& volume)
     image.ComponentCount(), image.OriginMm(), image.SpacingMm(), image.Direction() };
   input.windowLevel = volume.windowLevel;
   input.isLabels = !volume.segments.empty();
+  input.statesSides = ShowsPatient(volume.image) && StatesSides(volume.warnings);
   const char* const values = image.Values();
   const auto voxelBytes = std::int64_t(image.ValueBytes()) * image.ComponentCount();
   input.read = [=](const auto& lower, const auto& upper, void* voxels)
@@ -86,6 +94,7 @@ std::optional<ZarrInput> ChunkedInput(const FileSource& source, std::vector<std:
   {
     input.windowLevel = { form.windowLevel->window, form.windowLevel->level };
   }
+  input.statesSides = StatesSides(form.warnings);
   const auto lacksChunks = std::make_shared<std::atomic<bool>>(false);
   input.lacksChunks = lacksChunks;
   input.read = [pyramid, level, lacksChunks](const auto& lower, const auto& upper, void* voxels)

@@ -3,6 +3,8 @@
 
 #include <vtkDataArray.h>
 
+#include <utility>
+
 namespace varimarch
 {
 
@@ -89,9 +91,17 @@ nlohmann::ordered_json ZarrAttributes(const ZarrInput& input, const std::vector<
   {
     axes.push_back({ { "name", "c" }, { "type", "channel" } });
   }
-  for (const char* name : { "z", "y", "x" })
+  const std::pair<const char*, const char*> spatial[] = { { "z", "inferior-to-superior" },
+    { "y", "anterior-to-posterior" }, { "x", "right-to-left" } };
+  for (const auto& [name, direction] : spatial)
   {
-    axes.push_back({ { "name", name }, { "type", "space" }, { "unit", "millimeter" } });
+    nlohmann::ordered_json axis = { { "name", name }, { "type", "space" },
+      { "unit", "millimeter" } };
+    if (input.statesSides)
+    {
+      axis["orientation"] = { { "type", "anatomical" }, { "value", direction } };
+    }
+    axes.push_back(axis);
   }
   nlohmann::ordered_json datasets = nlohmann::ordered_json::array();
   for (std::size_t level = 0; level < levels.size(); ++level)
