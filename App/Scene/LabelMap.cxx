@@ -131,11 +131,12 @@ void WarnOfLosses(const std::vector<SegmentSize>& before, LabelMap& map)
   }
 }
 
-std::vector<Segment> SegmentsOfFile(const LoadedVolume& labels, const std::string& path)
+std::vector<Segment> SegmentsOfFile(
+  const LoadedVolume& labels, const std::string& path, std::vector<std::string>& warnings)
 {
   try
   {
-    return labels.segments.empty() ? SegmentsOf(labels.image, {}) : labels.segments;
+    return labels.segments.empty() ? SegmentsOf(labels.image, {}, warnings) : labels.segments;
   }
   catch (const std::invalid_argument& reason)
   {
@@ -179,7 +180,7 @@ LabelMap LabelMapOf(const LoadedVolume& labels, const std::string& path, const L
       "The slices of the scan are tilted or uneven; where they are not drawn "
       "where they were scanned, the labels lie beside them.");
   }
-  map.segments = SegmentsOfFile(labels, path);
+  map.segments = SegmentsOfFile(labels, path, map.warnings);
   const auto numbers = SegmentNumbers(labels.image, map.segments);
   const std::vector<SegmentSize> before = SizesOf(numbers, map.segments.size());
   map.image = OnGridOf(scan.image, numbers);

@@ -42,7 +42,7 @@ Segment SegmentFromJson(const JsonCursor& json)
 std::vector<Segment> SegmentsFromJson(const JsonCursor& json)
 {
   std::vector<Segment> segments;
-  for (const JsonCursor& element : json.Elements(0, MostLabels))
+  for (const JsonCursor& element : json.Elements(0, MostSegments))
   {
     const Segment segment = SegmentFromJson(element);
     const bool isKnown = std::any_of(segments.begin(), segments.end(),

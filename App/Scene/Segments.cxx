@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <mutex>
-#include <set>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,29 +36,29 @@ int LabelOf(Value value)
   return int(number);
 }
 
+/// The voxels of each label.
+using LabelCounts = std::map<int, std::int64_t>;
+
 // Neighbours mostly have the same value, so that few voxels need more than a comparison.
 template <class Value>
-std::set<int> LabelsIn(const Value* values, vtkIdType count)
+LabelCounts LabelsIn(const Value* values, vtkIdType count)
 {
-  std::set<int> labels;
-  Value last = Value(0);
-  for (vtkIdType i = 0; i < count; ++i)
+  LabelCounts labels;
+  for (vtkIdType begin = 0; begin < count && labels.size() <= MostLabels + 1;)
   {
-    if (values[i] != last)
+    vtkIdType end = begin + 1;
+    while (end < count && values[end] == values[begin])
     {
-      last = values[i];
-      labels.insert(LabelOf(last));
+      ++end;
     }
-    if (labels.size() > MostLabels + 1)
-    {
-      break;
-    }
+    labels[LabelOf(values[begin])] += end - begin;
+    begin = end;
   }
   labels.erase(0);
   return labels;
 }
 
-std::set<int> LabelsIn(vtkImageData* image)
+LabelCounts LabelsIn(vtkImageData* image)
 {
   switch (image->GetScalarType())
   {
@@ -67,8 +69,8 @@ std::set<int> LabelsIn(vtkImageData* image)
 }
 
 template <class Value>
-void NumberVoxels(
-  const Value* values, const std::map<int, unsigned char>& numbers, vtkImageData* image)
+void NumberVoxels(const Value* values, const std::map<int, unsigned char>& numbers,
+  unsigned char others, vtkImageData* image)
 {
   auto* const voxels = static_cast<unsigned char*>(image->GetScalarPointer());
   Value last = Value(0);
@@ -78,7 +80,8 @@ void NumberVoxels(
     if (values[i] != last)
     {
       last = values[i];
-      number = last != Value(0) ? numbers.at(int(last)) : 0;
+      const auto own = last != Value(0) ? numbers.find(int(last)) : numbers.end();
+      number = last == Value(0) ? 0 : own == numbers.end() ? others : own->second;
     }
     voxels[i] = number;
   }
@@ -140,6 +143,46 @@ AllCounts CountsOf(vtkImageData* numbers, std::size_t count)
   return all;
 }
 
+// Joins the smallest segments into the last.
+std::vector<Segment> WithSharedLast(const std::vector<Segment>& segments, const LabelCounts& counts,
+  std::vector<std::string>& warnings)
+{
+  const auto sizeOf = [&](const Segment& segment)
+  {
+    const auto count = counts.find(segment.value);
+    return count == counts.end() ? 0 : count->second;
+  };
+  std::vector<std::int64_t> sizes;
+  std::transform(segments.begin(), segments.end(), std::back_inserter(sizes), sizeOf);
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  const std::int64_t smallest = sizes[MostSegments - 2];
+  std::int64_t ofSmallest = MostSegments - 1 -
+    std::count_if(sizes.begin(), sizes.end(), [&](std::int64_t size) { return size > smallest; });
+  std::vector<Segment> kept;
+  std::optional<int> firstShared;
+  for (const Segment& segment : segments)
+  {
+    const std::int64_t size = sizeOf(segment);
+    if (size > smallest || (size == smallest && ofSmallest-- > 0))
+    {
+      kept.push_back(segment);
+    }
+    else if (size > 0)
+    {
+      firstShared = firstShared.value_or(segment.value);
+    }
+  }
+  if (firstShared)
+  {
+    const std::string count = std::to_string(segments.size() - kept.size());
+    kept.push_back({ *firstShared, count + " small segments", glm::dvec3(0.6) });
+    warnings.push_back("Of " + std::to_string(segments.size()) + " segments the " + count +
+      " smallest share one colour, since at most " + std::to_string(MostSegments) +
+      " can be told apart.");
+  }
+  return kept;
+}
+
 }
 
 glm::dvec3 ColorOfLabel(int value)
@@ -166,29 +209,31 @@ std::string NameOfLabel(int value)
   return "Label " + std::to_string(value);
 }
 
-std::vector<Segment> SegmentsOf(vtkImageData* labels, const std::vector<Segment>& known)
+std::vector<Segment> SegmentsOf(
+  vtkImageData* labels, const std::vector<Segment>& known, std::vector<std::string>& warnings)
 {
   if (labels->GetNumberOfScalarComponents() != 1)
   {
     throw std::invalid_argument("expected one label per voxel, found " +
       std::to_string(labels->GetNumberOfScalarComponents()) + " values");
   }
-  std::set<int> values = LabelsIn(labels);
-  std::vector<Segment> segments = known;
-  for (const Segment& segment : known)
-  {
-    values.erase(segment.value);
-  }
-  for (const int value : values)
-  {
-    segments.push_back({ value, NameOfLabel(value), ColorOfLabel(value) });
-  }
-  if (segments.size() > MostLabels)
+  const LabelCounts counts = LabelsIn(labels);
+  if (counts.size() > MostLabels)
   {
     throw std::invalid_argument(
       "expected at most " + std::to_string(MostLabels) + " different labels, found more");
   }
-  return segments;
+  std::vector<Segment> segments = known;
+  for (const auto& [value, count] : counts)
+  {
+    const bool isKnown = std::any_of(known.begin(), known.end(),
+      [label = value](const Segment& segment) { return segment.value == label; });
+    if (!isKnown)
+    {
+      segments.push_back({ value, NameOfLabel(value), ColorOfLabel(value) });
+    }
+  }
+  return segments.size() > MostSegments ? WithSharedLast(segments, counts, warnings) : segments;
 }
 
 vtkSmartPointer<vtkImageData> SegmentNumbers(
@@ -204,8 +249,8 @@ vtkSmartPointer<vtkImageData> SegmentNumbers(
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   switch (labels->GetScalarType())
   {
-    vtkTemplateMacro(
-      NumberVoxels(static_cast<const VTK_TT*>(labels->GetScalarPointer()), numbers, image));
+    vtkTemplateMacro(NumberVoxels(static_cast<const VTK_TT*>(labels->GetScalarPointer()), numbers,
+      static_cast<unsigned char>(segments.size()), image));
   }
   return image;
 }

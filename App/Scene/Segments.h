@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -14,8 +15,12 @@ class vtkImageData;
 namespace varimarch
 {
 
-/// Masks of VTK's mappers have 8 bits, and one value stands for what scissors remove.
-constexpr int MostLabels = 254;
+/// Masks of VTK's mappers have 8 bits, and one value stands for what scissors remove. The smallest
+/// of more labels share the last segment.
+constexpr int MostSegments = 254;
+
+/// More different values are no labels but those of a scan.
+constexpr int MostLabels = 2000;
 
 constexpr int SmallestLabel = std::numeric_limits<int>::min();
 constexpr int LargestLabel = std::numeric_limits<int>::max();
@@ -27,12 +32,16 @@ glm::dvec3 ColorOfLabel(int value);
 /// "Label 3", the name of a label for which a file gives none.
 std::string NameOfLabel(int value);
 
-/// The known segments of an image of labels, and one more for every other value but 0.
+/// The known segments of an image of labels, and one more for every other value but 0. Of more than
+/// MostSegments the largest stay, and the last stands for all others.
+/// @param warnings  receives a sentence if labels share a segment
 /// @throws std::invalid_argument whose words say what was expected and found, if the values are not
-///         labels or too many
-std::vector<Segment> SegmentsOf(vtkImageData* labels, const std::vector<Segment>& known);
+///         labels or more than MostLabels
+std::vector<Segment> SegmentsOf(
+  vtkImageData* labels, const std::vector<Segment>& known, std::vector<std::string>& warnings);
 
 /// An image of the same grid whose voxels number the segments: i + 1 in segment i, 0 in none.
+/// Labels of no segment are in the last one.
 /// @param segments  as SegmentsOf returns them
 vtkSmartPointer<vtkImageData> SegmentNumbers(
   vtkImageData* labels, const std::vector<Segment>& segments);

@@ -100,7 +100,7 @@ void TakeSegments(const std::vector<vtkVolumeFileReader::Segment>& described, Lo
   }
   try
   {
-    volume.segments = SegmentsOf(volume.image, known);
+    volume.segments = SegmentsOf(volume.image, known, volume.warnings);
   }
   catch (const std::invalid_argument& reason)
   {

@@ -44,7 +44,8 @@ std::string ErrorOf(vtkImageData* image)
 {
   try
   {
-    SegmentsOf(image, {});
+    std::vector<std::string> warnings;
+    SegmentsOf(image, {}, warnings);
   }
   catch (const std::invalid_argument& error)
   {
@@ -58,7 +59,10 @@ std::string ErrorOf(vtkImageData* image)
 TEST(Segments, AreThoseThatAreKnownAndThenTheOtherValues)
 {
   const auto image = Image({ 0, 7, 2035, 0, -4, 7 }, VTK_INT);
-  const auto segments = SegmentsOf(image, { { 9, "spleen", glm::dvec3(0.5) }, { 7, "liver", {} } });
+  std::vector<std::string> warnings;
+  const auto segments =
+    SegmentsOf(image, { { 9, "spleen", glm::dvec3(0.5) }, { 7, "liver", {} } }, warnings);
+  EXPECT_TRUE(warnings.empty());
   EXPECT_EQ(ValuesOf(segments), (std::vector<int>{ 9, 7, -4, 2035 }));
   EXPECT_EQ(segments[1].name, "liver");
   EXPECT_EQ(segments[3].name, "Label 2035");
@@ -70,24 +74,55 @@ TEST(Segments, AreThoseThatAreKnownAndThenTheOtherValues)
 
 TEST(Segments, OfRealNumbersAreWholeOnes)
 {
-  EXPECT_EQ(
-    ValuesOf(SegmentsOf(Image({ 0, 3, 1e6 }, VTK_FLOAT), {})), (std::vector<int>{ 3, 1000000 }));
+  std::vector<std::string> warnings;
+  EXPECT_EQ(ValuesOf(SegmentsOf(Image({ 0, 3, 1e6 }, VTK_FLOAT), {}, warnings)),
+    (std::vector<int>{ 3, 1000000 }));
   EXPECT_EQ(ErrorOf(Image({ 0, 0.5 }, VTK_FLOAT)), "expected whole numbers as labels, found 0.5");
   EXPECT_EQ(
     ErrorOf(Image({ 0, 1e12 }, VTK_DOUBLE)), "expected whole numbers as labels, found 1e+12");
   EXPECT_EQ(ErrorOf(Image({ 0, NAN }, VTK_FLOAT)), "expected whole numbers as labels, found nan");
 }
 
-TEST(Segments, AreAtMostAsManyAsMasksCanTellApart)
+TEST(Segments, TheSmallestOfMoreThanMasksCanTellApartShareOne)
 {
   std::vector<double> values;
-  for (int label = 0; label <= MostLabels; ++label)
+  for (int label = 1; label <= MostSegments; ++label)
   {
-    values.push_back(label);
+    values.push_back(20 * label); // sparse numbers
+    values.push_back(20 * label);
+  }
+  std::vector<std::string> warnings;
+  EXPECT_EQ(SegmentsOf(Image(values, VTK_INT), {}, warnings).size(), std::size_t(MostSegments));
+  EXPECT_TRUE(warnings.empty());
+  values.push_back(7);
+  values.push_back(8);
+  values.push_back(9);
+  const auto image = Image(values, VTK_INT);
+  const std::vector<Segment> segments = SegmentsOf(image, {}, warnings);
+  ASSERT_EQ(segments.size(), std::size_t(MostSegments));
+  EXPECT_EQ(segments.back().name, "4 small segments");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("257 segments"), std::string::npos) << warnings[0];
+  const auto numbers = SegmentNumbers(image, segments);
+  const auto* const voxels = static_cast<const unsigned char*>(numbers->GetScalarPointer());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const std::size_t label = std::size_t(values[i]) / 20;
+    EXPECT_EQ(voxels[i], label > 0 && label < std::size_t(MostSegments) ? label : MostSegments);
+  }
+}
+
+TEST(Segments, OfAScanAreTooMany)
+{
+  std::vector<double> values;
+  for (int value = 0; value <= MostLabels; ++value)
+  {
+    values.push_back(value);
   }
   EXPECT_EQ(ErrorOf(Image(values, VTK_SHORT)), "");
-  values.push_back(1000);
-  EXPECT_EQ(ErrorOf(Image(values, VTK_SHORT)), "expected at most 254 different labels, found more");
+  values.push_back(-1);
+  EXPECT_EQ(
+    ErrorOf(Image(values, VTK_SHORT)), "expected at most 2000 different labels, found more");
 }
 
 // A box has the mean chord 3 abc / (ab + bc + ca) along its axes, weighted by their shadows.

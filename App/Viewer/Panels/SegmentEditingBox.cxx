@@ -46,7 +46,7 @@ SegmentEditingBox::SegmentEditingBox(SceneModel* model, SegmentEditor* editor, Q
     {
       const auto& labels = this->model->EditedLabels();
       const std::size_t count = labels ? labels->segments.size() : 0;
-      if (count < MostLabels)
+      if (count < MostSegments)
       {
         this->model->AddSegment(tr("Segment %1").arg(count + 1), tr("new segment"));
       }
