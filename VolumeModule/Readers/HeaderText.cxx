@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <iterator>
 #include <regex>
 #include <sstream>
 
@@ -26,55 +27,64 @@ std::string PathBeside(const std::string& headerPath, const std::string& name)
   return (std::filesystem::path(headerPath).parent_path() / name).string();
 }
 
+/// A unit of length by one of its names.
+struct NamedLength
+{
+  const char* name; ///< in small letters, without the letter s of the plural
+  double mm;
+};
+
+constexpr NamedLength NamedLengths[] = {
+  { "", 1.0 },
+  { "?", 1.0 },
+  { "???", 1.0 }, // not stated
+  { "pm", 1e-9 },
+  { "picometer", 1e-9 },
+  { "picometre", 1e-9 },
+  { "angstrom", 1e-7 },
+  { "\xc3\x85", 1e-7 },     // the letter A with a ring
+  { "\xe2\x84\xab", 1e-7 }, // the sign of the unit
+  { "nm", 1e-6 },
+  { "nanometer", 1e-6 },
+  { "nanometre", 1e-6 },
+  { "um", 1e-3 },
+  { "micron", 1e-3 },
+  { "micrometer", 1e-3 },
+  { "micrometre", 1e-3 },
+  { "\xb5m", 1e-3 },     // with the micro sign of Latin-1
+  { "\xc2\xb5m", 1e-3 }, // with the micro sign
+  { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
+  { "mm", 1.0 },
+  { "millimeter", 1.0 },
+  { "millimetre", 1.0 },
+  { "cm", 10.0 },
+  { "centimeter", 10.0 },
+  { "centimetre", 10.0 },
+  { "dm", 100.0 },
+  { "decimeter", 100.0 },
+  { "decimetre", 100.0 },
+  { "inch", 25.4 },
+  { "inche", 25.4 }, // without the letter s of the plural
+  { "in", 25.4 },
+  { "thou", 0.0254 },
+  { "pt", 25.4 / 72.0 },
+  { "ft", 304.8 },
+  { "m", 1000.0 },
+  { "meter", 1000.0 },
+  { "metre", 1000.0 },
+};
+
 /// Length of a unit [mm]; nothing for an unknown one.
 std::optional<double> LengthOfUnit(const std::string& unit)
 {
-  static const std::map<std::string, double> lengths = {
-    { "", 1.0 },
-    { "?", 1.0 },
-    { "???", 1.0 }, // not stated
-    { "pm", 1e-9 },
-    { "picometer", 1e-9 },
-    { "picometre", 1e-9 },
-    { "angstrom", 1e-7 },
-    { "\xc3\x85", 1e-7 },     // the letter A with a ring
-    { "\xe2\x84\xab", 1e-7 }, // the sign of the unit
-    { "nm", 1e-6 },
-    { "nanometer", 1e-6 },
-    { "nanometre", 1e-6 },
-    { "um", 1e-3 },
-    { "micron", 1e-3 },
-    { "micrometer", 1e-3 },
-    { "micrometre", 1e-3 },
-    { "\xb5m", 1e-3 },     // with the micro sign of Latin-1
-    { "\xc2\xb5m", 1e-3 }, // with the micro sign
-    { "\xce\xbcm", 1e-3 }, // with the Greek letter mu
-    { "mm", 1.0 },
-    { "millimeter", 1.0 },
-    { "millimetre", 1.0 },
-    { "cm", 10.0 },
-    { "centimeter", 10.0 },
-    { "centimetre", 10.0 },
-    { "dm", 100.0 },
-    { "decimeter", 100.0 },
-    { "decimetre", 100.0 },
-    { "inch", 25.4 },
-    { "inche", 25.4 }, // without the letter s of the plural
-    { "in", 25.4 },
-    { "thou", 0.0254 },
-    { "pt", 25.4 / 72.0 },
-    { "ft", 304.8 },
-    { "m", 1000.0 },
-    { "meter", 1000.0 },
-    { "metre", 1000.0 },
-  };
   std::string name = LowerCase(unit);
   if (name.size() > 3 && name.back() == 's')
   {
     name.pop_back();
   }
-  const auto length = lengths.find(name);
-  return length == lengths.end() ? std::nullopt : std::optional(length->second);
+  const auto* const length = std::find_if(std::begin(NamedLengths), std::end(NamedLengths),
+    [&](const NamedLength& named) { return name == named.name; });
+  return length == std::end(NamedLengths) ? std::nullopt : std::optional(length->mm);
 }
 
 std::vector<std::string> FilesOfPattern(const std::string& headerPath, const std::string& value)

@@ -9,6 +9,32 @@
 
 namespace varimarch
 {
+namespace
+{
+
+/// The numbers of the pages that are no thumbnails.
+std::vector<std::size_t> PagesOfSlices(const TiffFile& file)
+{
+  std::vector<std::size_t> pages;
+  for (std::size_t page = 0; page < file.Pages().size(); ++page)
+  {
+    if (!file.Pages()[page].isReduced)
+    {
+      pages.push_back(page);
+    }
+  }
+  return pages;
+}
+
+/// A distance of voxels [mm], which is stored in metres; 0 if it is not known.
+double SpacingMmAt(const BinaryHeader& fields, std::size_t offset)
+{
+  constexpr double MmPerMetre = 1000.0;
+  const double metres = fields.At<double>(offset);
+  return std::isfinite(metres) && metres > 0.0 ? metres * MmPerMetre : 0.0;
+}
+
+}
 
 std::optional<TiffStack> LsmStack(const TiffFile& file, std::int64_t time)
 {
@@ -23,14 +49,7 @@ std::optional<TiffStack> LsmStack(const TiffFile& file, std::int64_t time)
   const BinaryHeader fields = entries.BytesAt(info->value, InfoBytes);
   const auto sliceCount = std::size_t(std::max(1, fields.At<int>(16)));
   const std::int64_t timeCount = std::max(1, fields.At<int>(24));
-  std::vector<std::size_t> pages;
-  for (std::size_t page = 0; page < file.Pages().size(); ++page)
-  {
-    if (!file.Pages()[page].isReduced)
-    {
-      pages.push_back(page);
-    }
-  }
+  const std::vector<std::size_t> pages = PagesOfSlices(file);
   // A scan that was stopped has fewer pages than were planned.
   const std::int64_t complete =
     std::min(timeCount, std::int64_t(pages.size() / std::max<std::size_t>(1, sliceCount)));
@@ -39,13 +58,7 @@ std::optional<TiffStack> LsmStack(const TiffFile& file, std::int64_t time)
     return std::nullopt;
   }
   TiffStack stack;
-  const auto spacing = [&](std::size_t offset)
-  {
-    constexpr double MmPerMetre = 1000.0;
-    const double metres = fields.At<double>(offset);
-    return std::isfinite(metres) && metres > 0.0 ? metres * MmPerMetre : 0.0;
-  };
-  stack.spacingMm = { spacing(40), spacing(48), spacing(56) };
+  stack.spacingMm = { SpacingMmAt(fields, 40), SpacingMmAt(fields, 48), SpacingMmAt(fields, 56) };
   stack.times = EvenTimes(complete, 0.0, fields.At<double>(112));
   const auto first = std::size_t(std::clamp<std::int64_t>(time, 0, complete - 1)) * sliceCount;
   for (std::size_t slice = first; slice < first + sliceCount; ++slice)

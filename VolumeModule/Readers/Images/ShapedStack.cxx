@@ -52,6 +52,17 @@ std::optional<std::vector<PageAxis>> PageAxes(
   return axes;
 }
 
+/// The number of pages that axes need.
+double PageCount(const std::vector<PageAxis>& axes)
+{
+  double count = 1.0;
+  for (const PageAxis& axis : axes)
+  {
+    count *= double(axis.size);
+  }
+  return count;
+}
+
 /// The letter of the axis that counts slices: Z, or else the last one that means nothing else.
 char LetterOfSlices(const std::vector<PageAxis>& axes)
 {
@@ -123,11 +134,7 @@ std::optional<TiffStack> ShapedStack(TiffFile& file, std::int64_t time)
   {
     return std::nullopt;
   }
-  double count = axes ? 1.0 : 0.0;
-  for (const PageAxis& axis : axes.value_or(std::vector<PageAxis>()))
-  {
-    count *= double(axis.size);
-  }
+  const double count = axes ? PageCount(*axes) : 0.0;
   const bool isOneDirectory = file.Pages().size() == 1;
   const double pages = isOneDirectory
     ? double(ReadableFileSize(file.Path())) / double(CheckedByteCount(file.Path(), first.layout))

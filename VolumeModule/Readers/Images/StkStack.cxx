@@ -26,6 +26,14 @@ double FractionAt(const BinaryHeader& bytes, std::size_t offset)
   return denominator > 0.0 ? bytes.At<std::uint32_t>(offset) / denominator : 0.0;
 }
 
+/// The text at a file offset, behind its length; its first 64 letters if it is longer.
+std::string StoredText(const TiffEntries& entries, std::uint64_t offset)
+{
+  constexpr std::uint32_t MostLetters = 64;
+  const auto length = entries.BytesAt(offset, 4).At<std::uint32_t>(0);
+  return entries.BytesAt(offset + 4, MostLetters).Bytes().substr(0, std::min(MostLetters, length));
+}
+
 /// The lengths that the file states.
 struct Calibration
 {
@@ -62,10 +70,7 @@ Calibration CalibrationOf(const TiffEntries& entries, std::vector<std::string>& 
         calibration.pixel[1] = FractionAt(entries.BytesAt(value, 8), 0);
         break;
       case 6:
-        unit =
-          entries.BytesAt(std::uint64_t(value) + 4, 64)
-            .Bytes()
-            .substr(0, std::min<std::uint32_t>(64, entries.BytesAt(value, 4).At<std::uint32_t>(0)));
+        unit = StoredText(entries, value);
         break;
       default:
         break;
@@ -78,12 +83,44 @@ Calibration CalibrationOf(const TiffEntries& entries, std::vector<std::string>& 
   return calibration;
 }
 
+/// The places and moments of the planes.
+struct StkPlanes
+{
+  std::vector<double> heights; ///< in the unit of the calibration
+  std::vector<double> seconds; ///< moments, counted in days of the Julian calendar
+};
+
+/// The planes of which the value of UIC2 at a file offset tells.
+StkPlanes PlanesAt(const TiffEntries& entries, std::uint64_t offset, std::size_t count)
+{
+  constexpr std::size_t PlaneBytes = 24;
+  constexpr double SecondsPerDay = 86400.0;
+  const BinaryHeader bytes = entries.BytesAt(offset, PlaneBytes * count);
+  StkPlanes planes;
+  for (std::size_t at = 0; at < PlaneBytes * count; at += PlaneBytes)
+  {
+    planes.heights.push_back(FractionAt(bytes, at));
+    planes.seconds.push_back(
+      SecondsPerDay * bytes.At<std::uint32_t>(at + 8) + 1e-3 * bytes.At<std::uint32_t>(at + 12));
+  }
+  return planes;
+}
+
 /// Distance of planes by their heights or, as some programs write, by the distance of each from the
 /// one before; 0 if the file states neither.
 double DistanceOf(const std::vector<double>& heights)
 {
   const double difference = std::abs(heights.back() - heights.front());
   return difference > 0.0 ? difference / double(heights.size() - 1) : heights.front();
+}
+
+/// True for planes without heights of which each was taken after the one before.
+bool AreTimes(const StkPlanes& planes)
+{
+  const std::vector<double>& seconds = planes.seconds;
+  return seconds.size() > 1 && DistanceOf(planes.heights) == 0.0 &&
+    std::adjacent_find(seconds.begin(), seconds.end(), std::greater_equal<double>()) ==
+    seconds.end();
 }
 
 }
@@ -102,17 +139,7 @@ std::optional<TiffStack> StkStack(TiffFile& file, std::int64_t time)
     FailToRead(file.Path(), "at most 1000000 planes (UIC2)", std::to_string(list->count));
   }
   const auto count = std::size_t(list->count);
-  constexpr std::size_t PlaneBytes = 24;
-  const BinaryHeader planes = entries.BytesAt(list->value, PlaneBytes * count);
-  std::vector<double> heights;
-  std::vector<double> seconds;
-  for (std::size_t at = 0; at < PlaneBytes * count; at += PlaneBytes)
-  {
-    constexpr double SecondsPerDay = 86400.0;
-    heights.push_back(FractionAt(planes, at));
-    seconds.push_back(
-      SecondsPerDay * planes.At<std::uint32_t>(at + 8) + 1e-3 * planes.At<std::uint32_t>(at + 12));
-  }
+  StkPlanes planes = PlanesAt(entries, list->value, count);
   if (count > 1)
   {
     file.AddPagesBehindFirst(count - 1);
@@ -120,12 +147,9 @@ std::optional<TiffStack> StkStack(TiffFile& file, std::int64_t time)
   TiffStack stack;
   const Calibration calibration = CalibrationOf(entries, stack.warnings);
   stack.spacingMm = { calibration.pixel[0] * calibration.mmPerUnit,
-    calibration.pixel[1] * calibration.mmPerUnit, DistanceOf(heights) * calibration.mmPerUnit };
-  // Planes without heights are times if each was taken after the one before.
-  const bool areTimes = count > 1 && DistanceOf(heights) == 0.0 &&
-    std::adjacent_find(seconds.begin(), seconds.end(), std::greater_equal<double>()) ==
-      seconds.end();
-  if (!areTimes)
+    calibration.pixel[1] * calibration.mmPerUnit,
+    DistanceOf(planes.heights) * calibration.mmPerUnit };
+  if (!AreTimes(planes))
   {
     for (std::size_t page = 0; page < count; ++page)
     {
@@ -133,9 +157,10 @@ std::optional<TiffStack> StkStack(TiffFile& file, std::int64_t time)
     }
     return stack;
   }
-  const double first = seconds.front();
-  std::for_each(seconds.begin(), seconds.end(), [first](double& moment) { moment -= first; });
-  stack.times = StatedTimes(seconds);
+  const double first = planes.seconds.front();
+  std::for_each(
+    planes.seconds.begin(), planes.seconds.end(), [first](double& moment) { moment -= first; });
+  stack.times = StatedTimes(planes.seconds);
   stack.planes.push_back(
     { file.Path(), std::size_t(std::clamp<std::int64_t>(time, 0, std::int64_t(count) - 1)) });
   return stack;

@@ -17,7 +17,7 @@ namespace varimarch
 struct TiffEntry
 {
   int type;            ///< the number of a type, such as 4 for LONG
-  std::uint64_t count; ///< of values
+  std::uint64_t count; ///< number of values
   std::uint64_t value; ///< the value itself, or the file offset of several
 };
 

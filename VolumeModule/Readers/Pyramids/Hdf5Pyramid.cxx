@@ -2,14 +2,12 @@
 // ilastik, Fiji and h5py write them. See
 // https://imaris.oxinst.com/support/imaris-file-format, https://imagej.net/plugins/bdv
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
-#include "Readers/NumberText.h"
 #include "Readers/Pyramids/ArrayAxes.h"
 #include "Readers/Pyramids/BigDataViewer.h"
 #include "Readers/Pyramids/Hdf5File.h"
 #include "Readers/Pyramids/Hdf5Path.h"
 #include "Readers/Pyramids/Imaris.h"
-#include "Readers/Pyramids/Json.h"
+#include "Readers/Pyramids/PlainDataSet.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelLayout.h"
@@ -19,9 +17,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -70,8 +65,6 @@ private:
   void TakeItk();
   void TakeDataSet(const std::string& name);
   void AddLevel(const Hdf5Level& level);
-  std::string LargestDataSet() const;
-  void TakeElementSizes(const std::string& name, ArrayAxes& axes);
   void AddNamed(const std::string& name, const ArrayAxes& axes, const ImageGeometry* geometry);
   void NameOthers(const std::string& what, std::size_t count, std::size_t taken);
   std::size_t TimeToRead() const;
@@ -83,7 +76,7 @@ private:
   std::size_t channel;
   std::int64_t wantedTime;
   std::vector<std::string> dataSets;      ///< one for each level
-  std::vector<ArraySelection> selections; ///< of these data sets
+  std::vector<ArraySelection> selections; ///< the part of each data set that its level takes
 };
 
 Hdf5Pyramid::Hdf5Pyramid(const std::string& given, const ReadOptions& options)
@@ -110,7 +103,7 @@ Hdf5Pyramid::Hdf5Pyramid(const std::string& given, const ReadOptions& options)
   }
   else
   {
-    this->TakeDataSet(this->LargestDataSet());
+    this->TakeDataSet(LargestDataSet(*this->file));
   }
   SetScales(this->path.file, this->form);
 }
@@ -198,26 +191,9 @@ std::size_t CountOfNames(const Hdf5File& file, const std::string& prefix, std::s
   return count;
 }
 
-/// A number of an Imaris attribute, which is a text.
-double NumberIn(const Hdf5File& file, const std::string& object, const std::string& name)
-{
-  const std::string text = Trimmed(file.TextAttribute(object, name));
-  return NumberFromText(file.Path(), "a number as " + name + " of " + object, text);
-}
-
 void Hdf5Pyramid::TakeImaris()
 {
-  const std::string info = "/DataSetInfo/Image";
-  const double mmPerUnit =
-    MmPerUnitOrWarn(Trimmed(this->file->TextAttribute(info, "Unit")), this->form.warnings);
-  glm::dvec3 lowest;
-  glm::dvec3 highest;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::string number = std::to_string(axis);
-    lowest[axis] = NumberIn(*this->file, info, "ExtMin" + number) * mmPerUnit;
-    highest[axis] = NumberIn(*this->file, info, "ExtMax" + number) * mmPerUnit;
-  }
+  const ImarisBox box = ImarisBoxOf(*this->file, this->form.warnings);
   this->form.warnings.push_back(UnknownSides);
   const std::string first = "/DataSet/ResolutionLevel 0";
   this->form.times = ImarisTimes(*this->file, this->file->Count(first + "/TimePoint %"));
@@ -229,17 +205,8 @@ void Hdf5Pyramid::TakeImaris()
   {
     const std::string group = "/DataSet/ResolutionLevel " + std::to_string(i) + "/TimePoint " +
       std::to_string(this->TimeToRead()) + "/Channel " + std::to_string(this->channel);
-    Hdf5Level level = { group + "/Data", {}, {} };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const std::string name = std::string("ImageSize") + "XYZ"[axis];
-      level.dimensions[axis] = WholeNumber(NumberIn(*this->file, group, name));
-      const double stepMm = (highest[axis] - lowest[axis]) / double(level.dimensions[axis]);
-      level.geometry.axesMm[axis] = glm::dvec3(0.0);
-      level.geometry.axesMm[axis][axis] = stepMm;
-      level.geometry.originMm[axis] = lowest[axis] + 0.5 * stepMm;
-    }
-    this->AddLevel(level);
+    const std::array<std::int64_t, 3> dimensions = ImarisDimensions(*this->file, group);
+    this->AddLevel({ group + "/Data", dimensions, ImarisGeometry(box, dimensions) });
   }
 }
 
@@ -281,113 +248,6 @@ void Hdf5Pyramid::TakeBigDataViewer()
   }
 }
 
-/// True for three axes that are long enough for voxels, and perhaps others before them.
-bool IsVolume(const Hdf5Layout& layout)
-{
-  const std::size_t rank = layout.size.size();
-  return layout.scalarType != VTK_VOID && rank >= 3;
-}
-
-std::string Hdf5Pyramid::LargestDataSet() const
-{
-  std::string largest;
-  double most = 0.0;
-  for (const std::string& name : this->file->DataSets())
-  {
-    const Hdf5Layout layout = LayoutOf(*this->file, name);
-    double count = IsVolume(layout) ? 1.0 : 0.0;
-    for (const std::int64_t size : layout.size)
-    {
-      count *= double(size);
-    }
-    if (count > most)
-    {
-      most = count;
-      largest = name;
-    }
-  }
-  if (largest.empty())
-  {
-    FailToRead(this->path.file, "a data set of numbers with three axes", "none");
-  }
-  return largest;
-}
-
-/// The names of a data set's axes: those of ilastik, the labels of HDF5, or the names of their
-/// scales; empty texts if it has none of these.
-std::vector<std::string> AxisNames(const Hdf5File& file, const std::string& name, std::size_t rank)
-{
-  std::vector<std::string> names;
-  const nlohmann::json axes =
-    nlohmann::json::parse(file.TextAttribute(name, "axistags"), nullptr, false);
-  for (const nlohmann::json& axis : ListIn(ValueAt(axes, "axes")))
-  {
-    names.push_back(TextIn(ValueAt(axis, "key")));
-  }
-  names = names.size() == rank ? names : file.TextsAttribute(name, "DIMENSION_LABELS");
-  if (names.size() != rank)
-  {
-    names = file.ScalesOf(name);
-    std::for_each(
-      names.begin(), names.end(), [](std::string& scale) { scale.erase(0, scale.rfind('/') + 1); });
-  }
-  return names.size() == rank ? names : std::vector<std::string>(rank);
-}
-
-/// Places axes by the coordinates in their scales. @returns false if an axis of space has none
-bool TakeScales(const Hdf5File& file, const std::string& name, ArrayAxes& axes,
-  std::vector<std::string>& warnings)
-{
-  const std::vector<std::string> scales = file.ScalesOf(name);
-  bool areKnown = scales.size() == axes.size();
-  for (std::size_t i = 0; areKnown && i < axes.size(); ++i)
-  {
-    const bool isPlaced = !scales[i].empty() &&
-      PlaceAxis(file.Numbers(scales[i]), Trimmed(file.TextAttribute(scales[i], "units")), axes[i],
-        warnings);
-    areKnown = isPlaced || !axes[i].world;
-  }
-  return areKnown;
-}
-
-/// Takes the sizes of a voxel as ilastik and Fiji write them: one for each axis, or the last three
-/// for those of space, z first.
-void Hdf5Pyramid::TakeElementSizes(const std::string& name, ArrayAxes& axes)
-{
-  constexpr double MmPerMicrometre = 1e-3;
-  std::vector<double> sizes = this->file->NumberAttribute(name, "element_size_um");
-  std::vector<ArrayAxis*> sized;
-  for (ArrayAxis& axis : axes)
-  {
-    if (axis.world || sizes.size() == axes.size())
-    {
-      sized.push_back(&axis);
-    }
-  }
-  if (sizes.size() < sized.size() || sizes.size() < 3)
-  {
-    this->form.warnings.push_back(UnknownSpacing);
-    return;
-  }
-  const auto isLength = [](double size) { return std::isnormal(size) && size > 0.0; };
-  const auto known = std::find_if(sizes.rbegin(), sizes.rend(), isLength);
-  for (std::size_t i = 0; i < sized.size(); ++i)
-  {
-    const double stated = sizes[sizes.size() - sized.size() + i];
-    const double size = isLength(stated) || known == sizes.rend() ? stated : *known;
-    sized[i]->scale = isLength(size) ? size : 1.0;
-    sized[i]->mmPerUnit = MmPerMicrometre;
-    if (sized[i]->world && !isLength(stated))
-    {
-      char text[160];
-      std::snprintf(text, sizeof(text),
-        "The file says that voxels are %g um long along %.20s; %g um was assumed.", stated,
-        sized[i]->name.c_str(), sized[i]->scale);
-      this->form.warnings.push_back(text);
-    }
-  }
-}
-
 /// Adds a data set as the only level.
 /// @param geometry  null if the axes say it
 void Hdf5Pyramid::AddNamed(
@@ -404,13 +264,7 @@ void Hdf5Pyramid::AddNamed(
 
 void Hdf5Pyramid::TakeDataSet(const std::string& name)
 {
-  const std::size_t rank = LayoutOf(*this->file, name).size.size();
-  ArrayAxes axes = AxesNamed(this->path.file, AxisNames(*this->file, name, rank));
-  if (!TakeScales(*this->file, name, axes, this->form.warnings))
-  {
-    this->TakeElementSizes(name, axes);
-  }
-  this->AddNamed(name, axes, nullptr);
+  this->AddNamed(name, AxesOfDataSet(*this->file, name, this->form.warnings), nullptr);
   const auto number = [&](const char* attribute) -> std::optional<double>
   {
     const std::vector<double> numbers = this->file->NumberAttribute(name, attribute);

@@ -1,6 +1,7 @@
 #include "Readers/Pyramids/Imaris.h"
 
 #include "Readers/HeaderText.h"
+#include "Readers/NumberText.h"
 #include "Readers/Pyramids/Hdf5File.h"
 #include "Readers/Times.h"
 
@@ -35,6 +36,52 @@ std::optional<double> SecondsOfMoment(const std::string& text)
   return double(timegm(&moment)) + (isWhole ? 0.0 : fraction);
 }
 
+/// A number of an Imaris attribute, which is a text.
+double NumberOfImaris(const Hdf5File& file, const std::string& object, const std::string& name)
+{
+  const std::string text = Trimmed(file.TextAttribute(object, name));
+  return NumberFromText(file.Path(), "a number as " + name + " of " + object, text);
+}
+
+}
+
+ImarisBox ImarisBoxOf(const Hdf5File& file, std::vector<std::string>& warnings)
+{
+  const std::string info = "/DataSetInfo/Image";
+  const double mmPerUnit = MmPerUnitOrWarn(Trimmed(file.TextAttribute(info, "Unit")), warnings);
+  ImarisBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::string number = std::to_string(axis);
+    box.lowest[axis] = NumberOfImaris(file, info, "ExtMin" + number) * mmPerUnit;
+    box.highest[axis] = NumberOfImaris(file, info, "ExtMax" + number) * mmPerUnit;
+  }
+  return box;
+}
+
+std::array<std::int64_t, 3> ImarisDimensions(const Hdf5File& file, const std::string& group)
+{
+  std::array<std::int64_t, 3> dimensions;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::string name = std::string("ImageSize") + "XYZ"[axis];
+    dimensions[axis] = WholeNumber(NumberOfImaris(file, group, name));
+  }
+  return dimensions;
+}
+
+ImageGeometry ImarisGeometry(const ImarisBox& box, const std::array<std::int64_t, 3>& dimensions)
+{
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double stepMm =
+      (box.highest[axis] - box.lowest[axis]) / double(dimensions[std::size_t(axis)]);
+    geometry.axesMm[axis] = glm::dvec3(0.0);
+    geometry.axesMm[axis][axis] = stepMm;
+    geometry.originMm[axis] = box.lowest[axis] + 0.5 * stepMm;
+  }
+  return geometry;
 }
 
 VolumeTimes ImarisTimes(const Hdf5File& file, std::size_t count)
