@@ -261,12 +261,9 @@ void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
   AddSpanOptions(command, arguments, group);
 }
 
-}
-
-void AddVolumeOptions(
-  CLI::App& command, VolumeArguments& arguments, const std::string& inputDescription)
+// Adds the options that choose a series, a kind of volume in it, and how its slices are stacked.
+void AddSeriesOptions(CLI::App& command, VolumeArguments& arguments)
 {
-  command.add_option("VOLUME", arguments.input, inputDescription)->required();
   command
     .add_option("--series", arguments.series,
       "The DICOM series to read: its number in the list that is printed without\n"
@@ -285,6 +282,15 @@ void AddVolumeOptions(
     .add_flag("--as-scanned", arguments.asScanned,
       "Keep slices at uneven distances, which are resampled otherwise if gaps are small")
     ->excludes(rectify);
+}
+
+}
+
+void AddVolumeOptions(
+  CLI::App& command, VolumeArguments& arguments, const std::string& inputDescription)
+{
+  command.add_option("VOLUME", arguments.input, inputDescription)->required();
+  AddSeriesOptions(command, arguments);
   command
     .add_option("--memory", arguments.memoryMegabytes,
       "Memory that the program may use in MB; a volume that needs more than a quarter\n"

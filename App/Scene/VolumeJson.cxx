@@ -38,6 +38,23 @@ RawLayout RawLayoutFromJson(const JsonCursor& json)
   return raw;
 }
 
+/// Reads the keys that choose a time of a file, or files as times.
+void ReadTimeKeys(const JsonCursor& json, FileSource& source)
+{
+  if (const auto time = json.Find("time"))
+  {
+    source.time = time->Integer(0, std::numeric_limits<int>::max());
+  }
+  if (const auto seconds = json.Find("timeSeconds"))
+  {
+    source.timeSeconds = seconds->Number();
+  }
+  if (const auto filesAreTimes = json.Find("filesAreTimes"))
+  {
+    source.filesAreTimes = filesAreTimes->Boolean();
+  }
+}
+
 FileSource FileFromJson(const JsonCursor& json)
 {
   json.RequireObject(fileKeys);
@@ -62,18 +79,7 @@ FileSource FileFromJson(const JsonCursor& json)
   {
     source.channel = channel->Integer(0, LargestChannel);
   }
-  if (const auto time = json.Find("time"))
-  {
-    source.time = time->Integer(0, std::numeric_limits<int>::max());
-  }
-  if (const auto seconds = json.Find("timeSeconds"))
-  {
-    source.timeSeconds = seconds->Number();
-  }
-  if (const auto filesAreTimes = json.Find("filesAreTimes"))
-  {
-    source.filesAreTimes = filesAreTimes->Boolean();
-  }
+  ReadTimeKeys(json, source);
   if (const auto raw = json.Find("raw"))
   {
     source.raw = RawLayoutFromJson(*raw);

@@ -55,7 +55,8 @@ struct LoadedVolume
   bool isOnDisk = false;  ///< true if the voxels stayed in their file, because they are so many
   bool isPreview = false; ///< true for a coarse copy, of which the warnings tell
   LoadedTimes times = {};
-  /// What tells the kinds of volume in a DICOM series from each other; of which one was read.
+  /// Names of the kinds of volume that a DICOM series holds, such as "echo 20"; one of them was
+  /// read.
   std::vector<std::string> kinds = {};
 };
 

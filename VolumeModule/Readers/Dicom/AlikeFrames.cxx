@@ -201,7 +201,7 @@ private:
   /// True if a frame of a station lies at the height of a frame, or nearly.
   bool IsBeside(std::size_t frame, const std::vector<std::vector<std::size_t>>& others) const
   {
-    constexpr double Nearly = 0.45; // of the distance of slices
+    constexpr double Nearly = 0.45; // part of the distance of slices
     return std::any_of(others.begin(), others.end(),
       [&](const std::vector<std::size_t>& station)
       {
@@ -238,8 +238,8 @@ private:
     return sum / double(station.size());
   }
 
-  std::vector<double> heightsMm;      ///< of the frames, along the normal
-  std::vector<glm::dvec2> placesMm;   ///< of the frames, in their plane
+  std::vector<double> heightsMm;      ///< heights of the frames along the normal
+  std::vector<glm::dvec2> placesMm;   ///< places of the frames in their plane
   glm::dvec2 farMm = glm::dvec2(0.0); ///< distance from which on frames lie beside each other
   double otherwiseMm = 1.0;           ///< distance of the slices of a station with one height
   std::vector<std::vector<std::size_t>> stations;

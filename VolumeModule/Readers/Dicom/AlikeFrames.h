@@ -9,7 +9,7 @@ namespace varimarch
 /// Frames that may be slices of one volume.
 struct AlikeFrames
 {
-  std::string name; ///< what tells them from the others: "10 x 6 pixels, sagittal"; or empty
+  std::string name; ///< their difference from the others: "10 x 6 pixels, sagittal"; or empty
   std::vector<DicomFrame> frames;
 };
 

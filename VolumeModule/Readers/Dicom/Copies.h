@@ -29,7 +29,8 @@ private:
 
   /// The first frames of the files of each image, by the UIDs of its series and its own.
   std::map<std::pair<std::string, std::string>, std::vector<DicomFrame>> known;
-  std::map<std::string, std::size_t> digests; ///< of files whose UID occurred again, by path
+  /// Digests of the files whose UID occurred again, by path.
+  std::map<std::string, std::size_t> digests;
   std::size_t sharedUids = 0;
 };
 

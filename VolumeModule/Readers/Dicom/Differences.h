@@ -1,25 +1,15 @@
 #ifndef Varimarch_Readers_Dicom_Differences_h
 #define Varimarch_Readers_Dicom_Differences_h
 
-#include "Readers/Dicom/DicomFrame.h"
+#include "Readers/Dicom/FrameSets.h"
 
 namespace varimarch
 {
 
-/// A frame and its place in a stack.
-struct PlacedFrame
-{
-  DicomFrame frame;
-  double heightMm; ///< along the normal
-  int place;       ///< equal for frames at the same place
-};
-
-using FrameSet = std::vector<PlacedFrame>;
-
 /// Frames of one kind, such as one echo.
 struct FrameKind
 {
-  std::string name;           ///< what tells it from other kinds: "echo 20, b-value 0"; or empty
+  std::string name;           ///< the difference from other kinds: "echo 20, b-value 0"; or empty
   std::vector<FrameSet> sets; ///< one for each time, in their order; at least one
   std::vector<std::string> warnings = {}; ///< sentences about its times
 };

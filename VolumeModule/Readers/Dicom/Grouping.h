@@ -18,7 +18,7 @@ struct DicomSlices
 /// The frames of one kind of a series, at all times.
 struct DicomVolumes
 {
-  std::string name;           ///< what tells the kind from the others, such as "echo 20"; or empty
+  std::string name;           ///< the difference from other kinds, such as "echo 20"; or empty
   std::vector<FrameSet> sets; ///< one for each time
   VolumeTimes times;
   bool hasPositions = false;         ///< true if the files state the positions of the slices

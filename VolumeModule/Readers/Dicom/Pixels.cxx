@@ -61,6 +61,16 @@ DicomFault CodingFault(const DicomFile& file)
     : DicomFault{ file.path, "a known coding of the pixels", syntax };
 }
 
+/// Swaps the first byte of an image of bytes with the second, the third with the fourth, and so on.
+void SwapPairsOfBytes(vtkImageData* image)
+{
+  auto* const bytes = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i + 1 < image->GetNumberOfPoints(); i += 2)
+  {
+    std::swap(bytes[i], bytes[i + 1]);
+  }
+}
+
 /// Moves the stored bits of all values to the lowest ones.
 template <class Value>
 void ShiftBits(const DicomFile& file, Value* values, vtkIdType count)
@@ -118,11 +128,7 @@ vtkSmartPointer<vtkImageData> Read(const DicomFile& file, const std::string& pat
   vtkImageData* const image = reader->GetOutput();
   if (file.hasSwappedBytes)
   {
-    auto* const bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-    for (vtkIdType i = 0; i + 1 < image->GetNumberOfPoints(); i += 2)
-    {
-      std::swap(bytes[i], bytes[i + 1]);
-    }
+    SwapPairsOfBytes(image);
   }
   if (isShifted)
   {

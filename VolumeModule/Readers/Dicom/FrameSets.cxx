@@ -1,0 +1,205 @@
+#include "Readers/Dicom/FrameSets.h"
+
+#include "Readers/Dicom/Grouping.h"
+#include "Readers/NumberText.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace varimarch
+{
+namespace
+{
+
+std::set<int> PlacesOf(const FrameSet& frames)
+{
+  std::set<int> places;
+  for (const PlacedFrame& frame : frames)
+  {
+    places.insert(frame.place);
+  }
+  return places;
+}
+
+/// Sets of frames with the same value of an attribute: in ascending order if all values are
+/// numbers, otherwise in the order of their first frames.
+std::vector<FrameSet> SetsBy(std::size_t difference, const FrameSet& frames)
+{
+  const auto valueOf = [&](const FrameSet& set) -> const std::string&
+  { return set.front().frame.differences[difference]; };
+  std::vector<FrameSet> sets;
+  std::map<std::string, std::size_t> indices;
+  for (const PlacedFrame& frame : frames)
+  {
+    const auto known = indices.insert({ frame.frame.differences[difference], sets.size() }).first;
+    sets.resize(indices.size());
+    sets[known->second].push_back(frame);
+  }
+  const auto numberOf = [&](const FrameSet& set) { return NumberIn(valueOf(set)); };
+  if (std::all_of(
+        sets.begin(), sets.end(), [&](const FrameSet& set) { return numberOf(set).has_value(); }))
+  {
+    std::stable_sort(sets.begin(), sets.end(),
+      [&](const FrameSet& a, const FrameSet& b) { return *numberOf(a) < *numberOf(b); });
+  }
+  return sets;
+}
+
+/// True if at least half of the places of each set but the largest are also those of other sets.
+bool LieOverEachOther(const std::vector<FrameSet>& sets)
+{
+  std::map<int, int> counts;
+  std::size_t largest = 0;
+  std::vector<std::set<int>> placesOfSets;
+  for (const FrameSet& set : sets)
+  {
+    placesOfSets.push_back(PlacesOf(set));
+    largest = std::max(largest, placesOfSets.back().size());
+    for (const int place : placesOfSets.back())
+    {
+      ++counts[place];
+    }
+  }
+  const auto isCovered = [&](const std::set<int>& places)
+  {
+    const auto shared =
+      std::count_if(places.begin(), places.end(), [&](int place) { return counts[place] > 1; });
+    return 2 * std::size_t(shared) >= places.size();
+  };
+  const auto uncovered = std::count_if(placesOfSets.begin(), placesOfSets.end(),
+    [&](const std::set<int>& places) { return !isCovered(places); });
+  const bool isLargestUncovered = std::any_of(placesOfSets.begin(), placesOfSets.end(),
+    [&](const std::set<int>& places) { return places.size() == largest && !isCovered(places); });
+  return uncovered == 0 || (uncovered == 1 && isLargestUncovered);
+}
+
+/// The heights of the places of frames, in ascending order.
+std::vector<double> HeightsOfPlaces(const FrameSet& frames)
+{
+  std::map<int, double> heights;
+  for (const PlacedFrame& frame : frames)
+  {
+    heights.insert({ frame.place, frame.heightMm });
+  }
+  std::vector<double> ascending;
+  for (const auto& [place, heightMm] : heights)
+  {
+    ascending.push_back(heightMm);
+  }
+  return ascending;
+}
+
+/// True for heights of a stack with even distances, in which slices may be missing.
+bool AreOnGrid(const std::vector<double>& heightsMm, double distanceMm)
+{
+  constexpr double LargestDifference = 0.05;
+  for (std::size_t i = 1; i < heightsMm.size(); ++i)
+  {
+    const double steps = (heightsMm[i] - heightsMm[i - 1]) / distanceMm;
+    if (std::lround(steps) < 1 || std::abs(steps - std::round(steps)) > LargestDifference)
+    {
+      return false;
+    }
+  }
+  return heightsMm.size() > 1;
+}
+
+/// True if sets are stacks of equal even distances between each other's slices, such as two phases
+/// half a distance apart.
+bool AreInterleaved(const std::vector<FrameSet>& sets)
+{
+  std::vector<std::vector<double>> heightsMm;
+  std::transform(sets.begin(), sets.end(), std::back_inserter(heightsMm), HeightsOfPlaces);
+  const auto largest = *std::max_element(heightsMm.begin(), heightsMm.end(),
+    [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  if (largest.size() < 2)
+  {
+    return false;
+  }
+  const double distanceMm = UsualDistanceMm(largest);
+  return std::all_of(heightsMm.begin(), heightsMm.end(),
+    [&](const std::vector<double>& heights)
+    {
+      const double commonMm =
+        std::min(heights.back(), largest.back()) - std::max(heights.front(), largest.front());
+      return AreOnGrid(heights, distanceMm) && commonMm >= 0.5 * (heights.back() - heights.front());
+    });
+}
+
+/// True if the distance that slices state is that of all frames together rather than that of a set:
+/// they were acquired in turns.
+bool WereInTurns(const FrameSet& frames, const std::vector<FrameSet>& sets)
+{
+  const auto statedMm = frames.front().frame.distanceMm;
+  const auto differenceMm = [&](const FrameSet& set)
+  {
+    const std::vector<double> heightsMm = HeightsOfPlaces(set);
+    return heightsMm.size() < 2 ? 0.0 : std::abs(std::abs(*statedMm) - UsualDistanceMm(heightsMm));
+  };
+  return statedMm && differenceMm(frames) < differenceMm(sets.front());
+}
+
+/// True for attributes whose values belong to whole volumes, not to slices acquired together.
+bool TellsVolumes(std::size_t difference)
+{
+  constexpr std::array<DicomDifference, 6> OfSlices = { DicomDifference::Stack,
+    DicomDifference::FrameNumber, DicomDifference::TriggerTime, DicomDifference::AcquisitionTime,
+    DicomDifference::ContentTime, DicomDifference::Segment };
+  return std::find(OfSlices.begin(), OfSlices.end(), DicomDifference(difference)) == OfSlices.end();
+}
+
+}
+
+std::size_t PlaceCount(const FrameSet& frames)
+{
+  return PlacesOf(frames).size();
+}
+
+std::size_t MostPlaces(const std::vector<FrameSet>& sets)
+{
+  std::size_t most = 0;
+  for (const FrameSet& set : sets)
+  {
+    most = std::max(most, PlaceCount(set));
+  }
+  return most;
+}
+
+std::size_t MostRepeats(const FrameSet& frames)
+{
+  std::map<int, std::size_t> counts;
+  std::size_t most = 0;
+  for (const PlacedFrame& frame : frames)
+  {
+    most = std::max(most, ++counts[frame.place]);
+  }
+  return most;
+}
+
+bool Varies(std::size_t difference, const FrameSet& frames)
+{
+  return std::any_of(frames.begin(), frames.end(),
+    [&](const PlacedFrame& frame) {
+      return frame.frame.differences[difference] != frames.front().frame.differences[difference];
+    });
+}
+
+std::vector<FrameSet> VolumesBy(std::size_t difference, const FrameSet& frames)
+{
+  if (!Varies(difference, frames))
+  {
+    return {};
+  }
+  std::vector<FrameSet> sets = SetsBy(difference, frames);
+  const bool areOver = sets.size() <= MostRepeats(frames) && LieOverEachOther(sets);
+  const bool isVague = DicomDifference(difference) == DicomDifference::AcquisitionNumber;
+  const bool areBetween =
+    TellsVolumes(difference) && AreInterleaved(sets) && !(isVague && WereInTurns(frames, sets));
+  return areOver || areBetween ? sets : std::vector<FrameSet>();
+}
+
+}
