@@ -91,8 +91,8 @@ double ReferenceDose(const DicomAttributes& attributes)
   const double dose = attributes.Number(OfTracer(DC::RadionuclideTotalDose)).value_or(0.0);
   const std::string correction = attributes.Text(DC::DecayCorrection);
   Require(dose > 0.0, "the file does not say the dose");
-  Require(
-    dose >= LeastDoseBq && dose <= MostDoseBq, "a dose of " + ShortText(dose) + " Bq cannot be true");
+  Require(dose >= LeastDoseBq && dose <= MostDoseBq,
+    "a dose of " + ShortText(dose) + " Bq cannot be true");
   Require(correction == "START" || correction == "ADMIN",
     "the file does not say to which moment its values are corrected");
   if (correction == "ADMIN")
