@@ -49,6 +49,26 @@ TEST_F(Window, ComparesWithVtk)
   EXPECT_EQ(this->View()->size(), alone);
 }
 
+// VTK's CPU mapper has no masks, so the images show different scenes.
+TEST_F(Window, TellsNoDifferenceToAnImageOfLessThanTheScene)
+{
+  this->OpenTorso();
+  ComparisonView* const view = this->window.CentralView();
+  QSignalSpy compared(view, &ComparisonView::Compared);
+  view->CompareWith(MapperKind::VtkCpu);
+  ASSERT_TRUE(compared.wait(MostMilliseconds));
+  ASSERT_TRUE(view->LastDifference());
+  const auto* const difference = view->findChild<QLabel*>("difference");
+  EXPECT_FALSE(difference->pixmap(Qt::ReturnByValue).isNull());
+  this->Model()->Edit(ScenePart::Cuts, "table", [](Scene& scene) { scene.cuts.bodyOnly = true; });
+  ASSERT_TRUE(compared.wait(MostMilliseconds));
+  EXPECT_FALSE(view->LastDifference());
+  EXPECT_TRUE(difference->pixmap(Qt::ReturnByValue).isNull());
+  this->Model()->Edit(ScenePart::Cuts, "table", [](Scene& scene) { scene.cuts.bodyOnly = false; });
+  ASSERT_TRUE(compared.wait(MostMilliseconds));
+  EXPECT_TRUE(view->LastDifference());
+}
+
 TEST_F(Window, DrawsAFinePictureOfVtkInBands)
 {
   this->OpenTorso();

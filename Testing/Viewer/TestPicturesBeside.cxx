@@ -60,6 +60,22 @@ private:
   int most = 0;
 };
 
+// Counts how often a widget is painted.
+class PaintCount : public QObject
+{
+public:
+  explicit PaintCount(QWidget* widget) { widget->installEventFilter(this); }
+
+  int count = 0;
+
+protected:
+  bool eventFilter(QObject*, QEvent* event) override
+  {
+    this->count += event->type() == QEvent::Paint ? 1 : 0;
+    return false;
+  }
+};
+
 int ColorCount(const QImage& image)
 {
   std::set<QRgb> colors;
@@ -248,7 +264,7 @@ TEST_F(PicturesBeside, FollowTheCameraOfTheWindow)
   EXPECT_NE(this->Middle(), before);
 }
 
-TEST_F(PicturesBeside, GiveWayToComparisons)
+TEST_F(PicturesBeside, AreComparedToo)
 {
   this->View()->DrawInThread();
   this->OpenTorso();
@@ -258,6 +274,8 @@ TEST_F(PicturesBeside, GiveWayToComparisons)
   this->window.Compare(MapperKind::VtkGpu);
   ASSERT_TRUE(compared.wait(MostMilliseconds));
   EXPECT_LT(this->window.CentralView()->LastDifference()->rootMeanSquare, 20.0) << "of one scene";
+  EXPECT_GT(ColorCount(this->Middle()), 10) << "our image is seen";
+  EXPECT_FALSE(this->Surface()->isVisible()) << "the thread draws it";
   this->Drag();
   this->While("after a comparison", [&] { this->window.Compare(std::nullopt); });
   EXPECT_NE(this->Middle(), before) << "the camera was turned during the comparison";
@@ -283,7 +301,60 @@ TEST_F(PicturesBeside, LeaveOutWhatIsRemovedForThePointerToo)
   this->While("cut", [&] { this->Model()->Edit(ScenePart::Cuts, "cut", cutAll); });
   EXPECT_FALSE(this->View()->PointAt(middle));
   EXPECT_EQ(this->View()->Pipeline()->Mask(), nullptr) << "made in the thread only";
-  this->View()->SetRefining(false);
-  EXPECT_TRUE(this->View()->Pipeline()->Mask()) << "the window draws again";
-  EXPECT_FALSE(this->View()->PointAt(middle));
+}
+
+// The corner tells the truth at any moment, also before the thread has drawn anything new.
+TEST_F(PicturesBeside, AreMarkedTheMomentTheyAreOutOfDate)
+{
+  this->View()->DrawInThread();
+  this->Open("open", "torso.vti");
+  const auto line = [this] { return this->View()->Report().section('\n', 1, 1); };
+  EXPECT_EQ(line(), "error at most 1/64");
+  Look look = this->Model()->CurrentScene().look;
+  look.opacities.back().opacity *= 0.5;
+  this->Model()->SetLook(look, "look");
+  EXPECT_EQ(line(), "out of date") << "before the program goes on";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return line() == "error at most 1/64"; }, MostMilliseconds));
+  this->window.resize(this->window.size() - QSize(40, 40));
+  QApplication::processEvents();
+  EXPECT_NE(line(), "error at most 1/64") << "a picture of another size is stretched";
+}
+
+TEST_F(PicturesBeside, LeaveNoImageOfAnotherScan)
+{
+  this->View()->DrawInThread();
+  this->Open("open", "torso.vti");
+  PaintCount paints(this->View()->findChild<QWidget*>("overlay"));
+  int paintsOfNothing = -1; // between the new scan and its first image
+  QObject::connect(this->Model(), &SceneModel::Changed, &paints,
+    [&](ScenePart part)
+    {
+      if (part == ScenePart::Volume)
+      {
+        EXPECT_EQ(ColorCount(this->Middle()), 1) << "the background";
+        paints.count = 0;
+      }
+    });
+  QObject::connect(this->View(), &VolumeView::Drawn, &paints,
+    [&] { paintsOfNothing = paintsOfNothing < 0 ? paints.count : paintsOfNothing; });
+  this->Open("open another scan", "torso.vti");
+  EXPECT_GT(paintsOfNothing, 0) << "the last image goes at once";
+}
+
+TEST_F(PicturesBeside, AreMovingWhileTheUserTurnsTheView)
+{
+  this->WriteTorso("large.vti", { 96, 84, 60 });
+  this->View()->DrawInThread();
+  this->Open("open", "large.vti");
+  QStringList told;
+  const QPoint middle = this->View()->rect().center();
+  QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
+  for (int x = 1; x <= 40; ++x)
+  {
+    QTest::mouseMove(this->View(), middle + QPoint(4 * x, x));
+    told << this->View()->Report().section('\n', 1, 1);
+    QTest::qWait(10);
+  }
+  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(160, 40));
+  EXPECT_EQ(told.filter("moving").size(), told.size()) << told.join("; ").toStdString();
 }

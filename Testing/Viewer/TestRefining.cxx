@@ -91,7 +91,26 @@ TEST_F(RefiningView, TellsTheRemedyWhileAnImageOfVoxelsThatDoNotFitIsDrawn)
 {
   PictureNumbers numbers = { 0, 8, 0.05 };
   const auto report = [&] { return PictureReport(numbers, MapperKind::Varimarch, {}, 0.2); };
-  EXPECT_EQ(report(), "200 ms\n40 % of the image");
+  EXPECT_EQ(report(), "200 ms\nrefining, 40 %");
   numbers.voxelsFit = false;
-  EXPECT_EQ(report(), "200 ms\n40 % of the image" + Remedy);
+  EXPECT_EQ(report(), "200 ms\nrefining, 40 %" + Remedy);
+}
+
+// A bound is a promise about the pixels that are shown.
+TEST_F(RefiningView, TellsABoundOnlyOfPixelsThatHaveOne)
+{
+  PictureNumbers numbers = { 1, 8, 0.125, 1.0 / 64.0 };
+  const auto report = [&]
+  { return PictureReport(numbers, MapperKind::Varimarch, {}, 0.2).section('\n', 1); };
+  EXPECT_EQ(report(), "error at most 1/64");
+  numbers.isMoving = true;
+  EXPECT_EQ(report(), "error at most 1/64") << "held still after a fine image";
+  numbers.hasRayForEachPixel = false;
+  EXPECT_EQ(report(), "moving");
+  numbers.isMoving = false;
+  EXPECT_EQ(report(), "refining, 0 %");
+  numbers.isOutOfDate = true;
+  EXPECT_EQ(report(), "out of date");
+  numbers.hasRayForEachPixel = true;
+  EXPECT_EQ(report(), "out of date");
 }

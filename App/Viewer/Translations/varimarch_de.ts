@@ -408,28 +408,12 @@ mean of %1 frames</source>
 Mittel von %1 Bildern</translation>
     </message>
     <message>
-        <source>
-segments not supported</source>
-        <translation>
-kennt keine Segmente</translation>
-    </message>
-    <message>
-        <source>
-masks not supported</source>
-        <translation>
-Masken nicht unterstützt</translation>
-    </message>
-    <message>
         <source>error at most 1/%1, refined</source>
         <translation>Fehler höchstens 1/%1, fertig verfeinert</translation>
     </message>
     <message>
         <source>error at most 1/%1</source>
         <translation>Fehler höchstens 1/%1</translation>
-    </message>
-    <message>
-        <source>%1 % of the image</source>
-        <translation>%1 % des Bildes</translation>
     </message>
     <message>
         <source>coarse voxels, error unknown</source>
@@ -454,6 +438,46 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     <message>
         <source>Nothing is visible: %1.</source>
         <translation>Nichts ist zu sehen: %1.</translation>
+    </message>
+    <message>
+        <source>masks not supported</source>
+        <translation>Masken nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>segments not supported</source>
+        <translation>kennt keine Segmente</translation>
+    </message>
+    <message>
+        <source>regions not supported</source>
+        <translation>kennt keine Regionen</translation>
+    </message>
+    <message>
+        <source>blend mode not supported</source>
+        <translation>kennt diese Mischung nicht</translation>
+    </message>
+    <message>
+        <source>further scans not supported</source>
+        <translation>kennt keine weiteren Aufnahmen</translation>
+    </message>
+    <message>
+        <source>shadows not supported</source>
+        <translation>kennt keine Schatten</translation>
+    </message>
+    <message>
+        <source>cubic interpolation not supported</source>
+        <translation>kennt keine kubische Interpolation</translation>
+    </message>
+    <message>
+        <source>refining, %1 %</source>
+        <translation>wird verfeinert, %1 %</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>in Bewegung</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>veraltet</translation>
     </message>
 </context>
 <context>
@@ -1518,6 +1542,14 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     <message>
         <source>Difference (out of date)</source>
         <translation>Unterschied (veraltet)</translation>
+    </message>
+    <message>
+        <source>No difference</source>
+        <translation>Kein Unterschied angezeigt</translation>
+    </message>
+    <message>
+        <source>There is no difference, because VTK&apos;s mapper does not draw the whole scene: %1.</source>
+        <translation>Ein Unterschied wird nicht berechnet, weil VTKs Mapper nicht die ganze Szene zeichnet: %1.</translation>
     </message>
 </context>
 <context>

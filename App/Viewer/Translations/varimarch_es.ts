@@ -408,28 +408,12 @@ mean of %1 frames</source>
 media de %1 imágenes</translation>
     </message>
     <message>
-        <source>
-segments not supported</source>
-        <translation>
-no conoce los segmentos</translation>
-    </message>
-    <message>
-        <source>
-masks not supported</source>
-        <translation>
-no admite máscaras</translation>
-    </message>
-    <message>
         <source>error at most 1/%1, refined</source>
         <translation>error como máximo 1/%1, refinado</translation>
     </message>
     <message>
         <source>error at most 1/%1</source>
         <translation>error como máximo 1/%1</translation>
-    </message>
-    <message>
-        <source>%1 % of the image</source>
-        <translation>%1 % de la imagen</translation>
     </message>
     <message>
         <source>coarse voxels, error unknown</source>
@@ -454,6 +438,46 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     <message>
         <source>Nothing is visible: %1.</source>
         <translation>No se ve nada: %1.</translation>
+    </message>
+    <message>
+        <source>masks not supported</source>
+        <translation>sin máscaras</translation>
+    </message>
+    <message>
+        <source>segments not supported</source>
+        <translation>sin segmentos</translation>
+    </message>
+    <message>
+        <source>regions not supported</source>
+        <translation>sin regiones</translation>
+    </message>
+    <message>
+        <source>blend mode not supported</source>
+        <translation>sin este modo de mezcla</translation>
+    </message>
+    <message>
+        <source>further scans not supported</source>
+        <translation>sin otros estudios</translation>
+    </message>
+    <message>
+        <source>shadows not supported</source>
+        <translation>sin sombras</translation>
+    </message>
+    <message>
+        <source>cubic interpolation not supported</source>
+        <translation>sin interpolación cúbica</translation>
+    </message>
+    <message>
+        <source>refining, %1 %</source>
+        <translation>refinando, %1 %</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>en movimiento</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>no actualizado</translation>
     </message>
 </context>
 <context>
@@ -1518,6 +1542,14 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     <message>
         <source>Difference (out of date)</source>
         <translation>Diferencia (no actualizada)</translation>
+    </message>
+    <message>
+        <source>No difference</source>
+        <translation>Sin diferencia</translation>
+    </message>
+    <message>
+        <source>There is no difference, because VTK&apos;s mapper does not draw the whole scene: %1.</source>
+        <translation>No se calcula la diferencia, porque el mapper de VTK no dibuja toda la escena: %1.</translation>
     </message>
 </context>
 <context>

@@ -135,6 +135,7 @@ void ComparisonView::CompareWith(std::optional<MapperKind> kind)
   this->ours->SetRefining(!kind);
   if (kind)
   {
+    this->theirKind = *kind;
     this->theirs = new VolumeView(this->model, *kind, this->theirPart);
     this->theirs->SetTool(this->tool);
     connect(this->theirs, &VolumeView::Drawn, this, [this] { this->AwaitStillness(); });
@@ -228,6 +229,12 @@ void ComparisonView::Compare()
   {
     return;
   }
+  const QStringList leftOut = LeftOutByVtk(this->theirKind, this->model->CurrentScene());
+  if (!leftOut.isEmpty())
+  {
+    this->WithholdDifference(leftOut);
+    return;
+  }
   const WaitCursor cursor;
   const vtkSmartPointer<vtkImageData> theirPicture = this->theirs->FloatPicture();
   if (!theirPicture)
@@ -235,12 +242,30 @@ void ComparisonView::Compare()
     return; // the view says when it is complete
   }
   const vtkSmartPointer<vtkImageData> ourPicture = this->ours->FloatPicture();
+  if (!ourPicture || ourPicture->GetNumberOfPoints() != theirPicture->GetNumberOfPoints())
+  {
+    return; // a picture of this scene and size follows
+  }
   this->lastDifference = CompareImages(static_cast<const float*>(theirPicture->GetScalarPointer()),
     static_cast<const float*>(ourPicture->GetScalarPointer()),
     std::size_t(ourPicture->GetNumberOfPoints()));
   this->ShowDifference(ourPicture, theirPicture);
   this->result->setEnabled(true);
   this->title->setText(tr("Difference"));
+  this->PlaceParts();
+  emit this->Compared();
+}
+
+// Images of different scenes have no difference that tells anything about a mapper.
+void ComparisonView::WithholdDifference(const QStringList& leftOut)
+{
+  this->lastDifference.reset();
+  this->picture->setPixmap({});
+  this->numbers->setText(
+    tr("There is no difference, because VTK's mapper does not draw the whole scene: %1.")
+      .arg(leftOut.join(", ")));
+  this->result->setEnabled(true);
+  this->title->setText(tr("No difference"));
   this->PlaceParts();
   emit this->Compared();
 }

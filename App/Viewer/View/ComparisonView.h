@@ -43,7 +43,7 @@ public:
   /// Sets the action of the left button in all views.
   void SetTool(LeftButton button);
 
-  /// Error of VTK's image against ours in the last comparison.
+  /// Error of VTK's image against ours in the last comparison; empty if VTK cannot draw the scene.
   std::optional<ImageError> LastDifference() const { return this->lastDifference; }
 
 signals:
@@ -61,11 +61,13 @@ private:
   void AwaitStillness();
   void Compare();
   void ShowDifference(vtkImageData* ourPicture, vtkImageData* theirPicture);
+  void WithholdDifference(const QStringList& leftOut);
 
   SceneModel* model;
   VolumeView* ours;
   VolumeView* theirs = nullptr;
-  QWidget* theirPart; ///< clips the visible part of theirs
+  MapperKind theirKind = MapperKind::VtkGpu; ///< the mapper of theirs
+  QWidget* theirPart;                        ///< clips the visible part of theirs
   Divider* divider;
   bool wipe = false;
   double dividerPart = 0.5;

@@ -1,5 +1,6 @@
 #include "Viewer/View/PictureReport.h"
 
+#include "Scene/SceneLights.h"
 #include "Viewer/Model/NumberText.h"
 
 #include <QCoreApplication>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace varimarch
 {
@@ -23,17 +25,15 @@ struct Texts
 QString ReportOfVtk(MapperKind kind, const Scene& scene, const QString& time)
 {
   const QString mapper = kind == MapperKind::VtkGpu ? Texts::tr("VTK, GPU") : Texts::tr("VTK, CPU");
-  QString report = Texts::tr("%1\n%2\nerror unknown").arg(mapper, time);
-  // Both need a mask.
-  if (!CanCutByScissors(kind) && NeedMask(scene.cuts))
-  {
-    report += Texts::tr("\nmasks not supported");
-  }
-  if (!CanCutByScissors(kind) && scene.labels)
-  {
-    report += Texts::tr("\nsegments not supported");
-  }
-  return report;
+  QStringList lines = { Texts::tr("%1\n%2\nerror unknown").arg(mapper, time) };
+  lines += LeftOutByVtk(kind, scene);
+  return lines.join('\n');
+}
+
+QString PartOf(const PictureNumbers& ours)
+{
+  const double part = ours.averaged == 0 ? ours.drawnPart * ours.mostAveraged : 0.0;
+  return Texts::tr("refining, %1 %").arg(int(100.0 * part));
 }
 
 // The sentence in lines that fit into the corner of a small view; empty without a reason.
@@ -83,12 +83,21 @@ QString Remedy(const PictureNumbers& ours)
                                     "memory:\nallow more in the menu File, or zoom in.");
 }
 
+// A bound of the error is told only if it holds for the pixels that are shown.
 QString ErrorOf(const PictureNumbers& ours)
 {
-  if (ours.averaged == 0)
+  const bool isWhole = ours.averaged > 0 && ours.hasRayForEachPixel;
+  if (ours.isMoving && (ours.isOutOfDate || !isWhole))
   {
-    const double part = ours.drawnPart * ours.mostAveraged;
-    return Texts::tr("%1 % of the image").arg(int(100.0 * part)) + Remedy(ours);
+    return Texts::tr("moving");
+  }
+  if (ours.isOutOfDate)
+  {
+    return Texts::tr("out of date");
+  }
+  if (!isWhole)
+  {
+    return PartOf(ours) + Remedy(ours);
   }
   if (ours.isCoarse)
   {
@@ -105,13 +114,43 @@ QString ErrorOf(const PictureNumbers& ours)
 
 }
 
+QStringList LeftOutByVtk(MapperKind kind, const Scene& scene)
+{
+  const bool isMasking = CanCutByScissors(kind);
+  const bool hasOverlays = std::any_of(scene.overlays.begin(), scene.overlays.end(),
+    [](const OverlaidVolume& overlay) { return overlay.visible; });
+  const Lighting light = LightingOf(scene);
+  const std::pair<bool, QString> parts[] = {
+    { !isMasking && NeedMask(scene.cuts), Texts::tr("masks not supported") },
+    { !isMasking && scene.labels.has_value(), Texts::tr("segments not supported") },
+    { !isMasking && !scene.look.regions.empty(), Texts::tr("regions not supported") },
+    { !CanBlend(kind, scene.look.blend), Texts::tr("blend mode not supported") },
+    { !CanOverlay(kind) && hasOverlays, Texts::tr("further scans not supported") },
+    { light.shadows > 0.0 || light.scattering.blending > 0.0 || light.occlusion.strength > 0.0,
+      Texts::tr("shadows not supported") },
+    { scene.render.interpolation == Interpolation::Cubic,
+      Texts::tr("cubic interpolation not supported") },
+  };
+  QStringList leftOut;
+  for (const auto& [isLeftOut, text] : parts)
+  {
+    if (isLeftOut)
+    {
+      leftOut << text;
+    }
+  }
+  return leftOut;
+}
+
 PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper)
 {
+  constexpr double MostPixelsPerRay = 1.001; // the numbers of rays are rounded
   PictureNumbers numbers = { mapper->GetAccumulatedPictures(),
     mapper->GetMaximumAccumulatedPictures(), mapper->GetDrawnPart(), mapper->GetErrorTolerance(),
     mapper->GetErrorToleranceIsKept(), mapper->GetEstimatedError() };
   const int level = mapper->GetUsedLevelOfDetail();
   numbers.isCoarse = level == vtkVariationFieldVolumeMapper::CoarseLevel;
+  numbers.hasRayForEachPixel = mapper->GetUsedImageSampleDistance() <= MostPixelsPerRay;
   if (level == vtkVariationFieldVolumeMapper::RefinedLevel)
   {
     const double bound = mapper->GetLevelErrorBound();
@@ -133,7 +172,12 @@ QString PictureReport(
   {
     return ReportOfVtk(kind, scene, time);
   }
-  return time + '\n' + ErrorOf(*ours) + NoticeOfNothing(ours->reasonForNothing);
+  if (ours->averaged == 0 && ours->drawnPart == 0.0)
+  {
+    return ErrorOf(*ours); // there is no image yet
+  }
+  const QString notice = ours->isOutOfDate ? QString() : NoticeOfNothing(ours->reasonForNothing);
+  return time + '\n' + ErrorOf(*ours) + notice;
 }
 
 }

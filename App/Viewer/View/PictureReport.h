@@ -4,6 +4,7 @@
 #include "Scene/ScenePipeline.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <string>
@@ -13,7 +14,7 @@ class vtkVariationFieldVolumeMapper;
 namespace varimarch
 {
 
-/// Progress and error of the last frame of our mapper.
+/// Progress and error of the image of our mapper that is shown.
 struct PictureNumbers
 {
   int averaged = 1;       ///< frames in the mean that is shown; 0 until the first is complete
@@ -29,9 +30,16 @@ struct PictureNumbers
   bool voxelsFit = true;  ///< false if the fine voxels that are to come may not fit in the memory
   /// The reason why nothing is visible, see EmptyPicture.h; empty if something is.
   std::string reasonForNothing = {};
+  bool hasRayForEachPixel = true; ///< false for an image of fewer rays, whose pixels have no bound
+  bool isOutOfDate = false;       ///< true if the scene has changed since
+  bool isMoving = false;          ///< true while the user turns the view
 };
 
 PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper);
+
+/// The parts of a scene that a mapper of VTK leaves out, one line each, such as "masks not
+/// supported"; empty if it draws the whole scene.
+QStringList LeftOutByVtk(MapperKind kind, const Scene& scene);
 
 /// Text in the corner of an image: its rendering time and its error.
 /// @param ours     the numbers of our mapper; empty for VTK's

@@ -36,6 +36,7 @@ struct Order
   ShownVoxels voxels;          // labels are still the window's
   std::set<ScenePart> changed; // since the last order that was drawn
   int volume = 0;              // a number for the volume
+  int changes = 0;             // number of changes that were taken
   std::optional<WantedPicture> wanted;
 };
 
@@ -50,6 +51,7 @@ public:
 private:
   void CopyLabels(Order& order);
   void Show(const Order& order, const QSize& size);
+  void ChooseFrames(const WantedPicture& wanted);
   vtkSmartPointer<vtkImageData> SharedMask();
 
   std::unique_ptr<OffscreenView> view;
@@ -99,11 +101,8 @@ void ThreadView::Show(const Order& order, const QSize& size)
     this->view.reset(); // before the next one, for the memory
     this->view = std::make_unique<OffscreenView>(scene, order.voxels.volume, MapperKind::Varimarch);
     ShowPart(ScenePart::Volume, scene, order.voxels, this->view->Pipeline());
-    vtkVariationFieldVolumeMapper* const mapper = MapperOf(*this->view);
-    mapper->SetMaximumAccumulatedPictures(RefiningPictures);
-    mapper->SetLongestPartSeconds(LongestPartOfThreadSeconds);
     // The corner of the view says whether the error tolerance is kept; the mapper need not warn.
-    mapper->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
+    MapperOf(*this->view)->AddObserver(vtkCommand::WarningEvent, vtkNew<vtkCallbackCommand>());
   }
   else
   {
@@ -118,6 +117,13 @@ void ThreadView::Show(const Order& order, const QSize& size)
     this->view->Pipeline().SetCamera(scene.camera, double(scene.size[0]) / scene.size[1]);
   }
   this->pixels = size;
+}
+
+void ThreadView::ChooseFrames(const WantedPicture& wanted)
+{
+  vtkVariationFieldVolumeMapper* const mapper = MapperOf(*this->view);
+  mapper->SetMaximumAccumulatedPictures(wanted.isSingle ? 1 : RefiningPictures);
+  mapper->SetLongestPartSeconds(wanted.isSingle ? 0.0 : LongestPartOfThreadSeconds);
 }
 
 // The mask for the window, which looks up what is removed.
@@ -138,6 +144,7 @@ std::optional<ThreadPicture> ThreadView::Draw(Order order, const std::function<b
   QElapsedTimer timer;
   timer.start();
   this->Show(order, size);
+  this->ChooseFrames(wanted);
   this->view->SetPicturesPerSecond(
     isMoving ? 1.0 / this->moving.SecondsForRays(allocatedSeconds) : wanted.picturesPerSecond);
   ThreadPicture picture;
@@ -150,9 +157,15 @@ std::optional<ThreadPicture> ThreadView::Draw(Order order, const std::function<b
   picture.seconds = *seconds;
   picture.image = ImageOfBytes(this->view->Bytes()).convertToFormat(QImage::Format_RGB32);
   picture.numbers = NumbersOf(MapperOf(*this->view));
+  picture.numbers.hasRayForEachPixel &= size == wanted.pixels;
   picture.numbers.reasonForNothing = isMoving ? "" : this->view->ReasonForNothing(order.scene);
   picture.mask = this->SharedMask();
   picture.wanted = wanted;
+  picture.changes = order.changes;
+  if (wanted.isSingle && !isMoving)
+  {
+    picture.floats = this->view->FloatImage([&](double) { return isWanted(); });
+  }
   if (isMoving && isFamiliar)
   {
     const double secondsOfAll = 1e-9 * double(timer.nsecsElapsed());
@@ -272,6 +285,7 @@ void PictureThread::Take(
   next.scene = scene;
   next.study = study;
   next.changed.insert(part);
+  next.changes = ++this->changes;
   next.voxels = std::move(voxels);
   if (part == ScenePart::Volume)
   {

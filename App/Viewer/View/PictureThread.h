@@ -28,6 +28,7 @@ struct WantedPicture
   QSize pixels;
   double picturesPerSecond = 0.0; ///< as OffscreenView::SetPicturesPerSecond
   bool refines = false;           ///< true for a further part or frame of the picture before it
+  bool isSingle = false; ///< true for one frame in one piece, at rest also as a float image
 };
 
 /// A picture that the thread has drawn.
@@ -37,7 +38,10 @@ struct ThreadPicture
   PictureNumbers numbers;
   double seconds = 0.0;                    ///< the time to draw it, or this part of it
   vtkSmartPointer<vtkImageData> mask = {}; ///< as ScenePipeline::Mask
+  /// The frame as a float image, see OffscreenView::FloatImage; null unless it was wanted.
+  vtkSmartPointer<vtkImageData> floats = {};
   WantedPicture wanted;
+  int changes = 0; ///< number of changes that had been taken for it
 };
 
 /// A thread that draws our pictures of a scene, so that the thread of the window never waits for
@@ -66,6 +70,9 @@ public:
   /// The last picture; null before the first one of a volume.
   const ThreadPicture* Last() const { return this->last ? &*this->last : nullptr; }
 
+  /// True if the last picture shows all that was taken.
+  bool IsLastCurrent() const { return this->last && this->last->changes == this->changes; }
+
 signals:
   /// There is another Last() picture.
   void Drawn();
@@ -82,6 +89,7 @@ private:
   std::unique_ptr<Work> work;           ///< shared with the thread
   VolumeCopies shared;                  ///< the volumes that the thread draws
   vtkSmartPointer<vtkImageData> copied; ///< the image whose copy the thread has
+  int changes = 0;                      ///< number of changes that were taken
   std::optional<ThreadPicture> last;
 };
 

@@ -45,8 +45,10 @@ protected:
       const QColor background = QColor::fromRgbF(red, green, blue);
       this->view->still.Paint(painter, this->rect(), background);
       this->PaintPictureOfThread(painter, background);
+      const QString text = this->view->Report();
+      this->view->setAccessibleDescription(text); // for screen readers
       const QRectF report = DrawLegibly(painter, this->rect().adjusted(10, 10, -10, -10),
-        this->view->reportSide | Qt::AlignTop, this->view->Report());
+        this->view->reportSide | Qt::AlignTop, text);
       DrawOverlay(painter,
         { this->view->model->CurrentScene(), this->view->texts,
           this->view->model->CurrentStudy()->volume.image },

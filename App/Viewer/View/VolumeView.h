@@ -65,7 +65,8 @@ public:
   /// Projection of the last frame.
   PictureFrame Frame() const override;
 
-  /// The frame as a float image, see CaptureFloatImage. Null while VTK's is incomplete.
+  /// The frame as a float image, see CaptureFloatImage. Null while VTK's is incomplete, and until
+  /// the thread has drawn the present scene at rest.
   vtkSmartPointer<vtkImageData> FloatPicture();
 
   std::optional<std::array<double, 3>> PointAt(const QPointF& place) const override;
@@ -82,9 +83,8 @@ public:
   /// subpixel offsets. Default on. Off during comparisons, which need a single frame.
   void SetRefining(bool refining);
 
-  /// Lets a thread draw our pictures, so that this one never waits for them, as long as frames are
-  /// refined. For an OpenGL that the processor draws; a graphics card would serve two threads in
-  /// turn.
+  /// Lets a thread draw our pictures, so that this one never waits for them. For an OpenGL that the
+  /// processor draws; a graphics card would serve two threads in turn.
   void DrawInThread();
 
   /// Sets the upper corner that shows time and error.
@@ -142,7 +142,8 @@ private:
   void DrawFinely();
   vtkVariationFieldVolumeMapper* OurMapper(); ///< null if this view uses VTK's mapper
   void ApplyRefining();
-  bool IsDrawnInThread() const { return this->thread && this->refines; }
+  bool IsDrawnInThread() const { return bool(this->thread); }
+  bool IsOutOfDate() const; ///< The scene or the size has changed since the thread's picture.
   void Tell(ScenePart part);
   void TakePicture();
   void GiveUpThread();

@@ -34,8 +34,8 @@ void VolumeView::Draw(double framesPerSecond)
   {
     if (this->pipeline && !this->size().isEmpty())
     {
-      this->thread->Draw(
-        { this->size() * this->devicePixelRatioF(), framesPerSecond, this->refining });
+      this->thread->Draw({ this->size() * this->devicePixelRatioF(), framesPerSecond,
+        this->refining, !this->refines });
     }
     return;
   }
@@ -129,6 +129,15 @@ void VolumeView::Tell(ScenePart part)
   Scene scene = this->model->CurrentScene();
   scene.camera = this->CurrentCamera();
   this->thread->Take(part, scene, this->model->CurrentStudy());
+  this->overlay->update(); // the picture that is shown is out of date
+}
+
+bool VolumeView::IsOutOfDate() const
+{
+  const ThreadPicture* const picture = this->IsDrawnInThread() ? this->thread->Last() : nullptr;
+  return picture &&
+    (!this->thread->IsLastCurrent() ||
+      picture->wanted.pixels != this->size() * this->devicePixelRatioF());
 }
 
 void VolumeView::TakePicture()
@@ -177,7 +186,11 @@ std::optional<PictureNumbers> VolumeView::NumbersOfMapper()
   if (this->IsDrawnInThread())
   {
     const ThreadPicture* const picture = this->thread->Last();
-    return picture ? picture->numbers : PictureNumbers{ 0, RefiningPictures, 0.0 };
+    PictureNumbers numbers =
+      picture ? picture->numbers : PictureNumbers{ 0, RefiningPictures, 0.0 };
+    numbers.isOutOfDate = this->IsOutOfDate();
+    numbers.isMoving = this->isTurning;
+    return numbers;
   }
   auto* const ours = this->OurMapper();
   if (!ours)
@@ -186,6 +199,7 @@ std::optional<PictureNumbers> VolumeView::NumbersOfMapper()
   }
   PictureNumbers numbers = NumbersOf(ours);
   numbers.reasonForNothing = this->reasonForNothing;
+  numbers.isMoving = this->isTurning;
   return numbers;
 }
 
@@ -231,6 +245,10 @@ vtkSmartPointer<vtkImageData> VolumeView::FloatPicture()
   if (this->kind == MapperKind::VtkGpu)
   {
     return this->still.Picture();
+  }
+  if (this->IsDrawnInThread())
+  {
+    return this->thread->Last() && !this->IsOutOfDate() ? this->thread->Last()->floats : nullptr;
   }
   this->capturing = true;
   const vtkSmartPointer<vtkImageData> picture =
