@@ -56,6 +56,9 @@ public:
 
   /// Starts to load a scan whose times are files: those beside this one whose names differ from its
   /// own in their last number, or those in this folder.
+  /// Starts to load the scan that files and folders are together; several series are offered.
+  void OpenTogether(const QStringList& paths);
+
   void OpenTimes(const QString& path);
 
   /// Starts to load a scan to be drawn over the one that is shown.

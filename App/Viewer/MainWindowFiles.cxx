@@ -36,6 +36,19 @@ namespace
 
 const QString AskAtStartKey = QStringLiteral("open/askAtStart");
 
+QStringList LocalFiles(const QMimeData& data)
+{
+  QStringList paths;
+  for (const QUrl& url : data.urls())
+  {
+    if (url.isLocalFile())
+    {
+      paths << url.toLocalFile();
+    }
+  }
+  return paths;
+}
+
 }
 
 // Filter of a file dialog: "Volumes (*.nrrd *.nhdr ...)", then a line for each format.
@@ -100,6 +113,27 @@ void MainWindow::Open(const QString& name, const QString& series)
   {
     this->ShowFailure(QString::fromStdString(problem.what()));
   }
+}
+
+void MainWindow::OpenTogether(const QStringList& names)
+{
+  if (names.size() == 1)
+  {
+    this->Open(names.first());
+    return;
+  }
+  if (!this->MayLeaveScan())
+  {
+    return;
+  }
+  this->ForgetRequest();
+  std::vector<std::string> paths;
+  for (const QString& name : names)
+  {
+    paths.push_back(QFileInfo(name).absoluteFilePath().toStdString());
+  }
+  this->BeginLoading(QFileInfo(names.first()).absolutePath());
+  this->loader.LoadTogether(paths);
 }
 
 // A new request replaces the last one, with all that was to be done after it.
@@ -305,7 +339,7 @@ void MainWindow::ListRecentScans()
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile())
+  if (!LocalFiles(*event->mimeData()).isEmpty())
   {
     event->acceptProposedAction();
   }
@@ -314,8 +348,10 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 // The program that the file is dragged from waits for the end of this function.
 void MainWindow::dropEvent(QDropEvent* event)
 {
-  const QString path = event->mimeData()->urls().first().toLocalFile();
-  QTimer::singleShot(0, this, [this, path] { this->OpenDropped(path); });
+  const QStringList paths = LocalFiles(*event->mimeData());
+  QTimer::singleShot(0, this,
+    [this, paths]
+    { paths.size() == 1 ? this->OpenDropped(paths.first()) : this->OpenTogether(paths); });
 }
 
 }

@@ -57,7 +57,9 @@ void AddOptions(QCommandLineParser& parser)
     "Let scripts of this user change the look through the local socket of this name or path.",
     "name" });
   parser.addPositionalArgument("volume",
-    "A volume file, a folder with a DICOM series, or a saved session, to open.", "[volume]");
+    "A volume file, a folder with a DICOM series, the files of a series, or a saved session, to "
+    "open.",
+    "[volume]...");
 }
 
 // Prints help or version, if requested, and ends the program. This needs no display, whereas
@@ -140,7 +142,7 @@ int RunWindow(const QCommandLineParser& parser)
   const QStringList paths = parser.positionalArguments();
   if (!paths.isEmpty())
   {
-    window.Open(paths.first());
+    window.OpenTogether(paths);
   }
   else
   {

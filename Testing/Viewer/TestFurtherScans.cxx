@@ -292,6 +292,17 @@ TEST_F(FurtherScans, KeepTheirWarningsClosedWhenTheyAreRenamed)
   EXPECT_TRUE(bar->isVisible()) << "this is another scan";
 }
 
+TEST_F(FurtherScans, AreNotOpenedInPartWhenSeveralAreDropped)
+{
+  this->OpenTorso();
+  const auto study = this->Model()->CurrentStudy();
+  ASSERT_TRUE(QFile::copy(this->Path("torso.vti"), this->Path("other.vti")));
+  QSignalSpy failed(&this->window, &MainWindow::OpeningFailed);
+  this->Drop({ this->Path("torso.vti"), this->Path("other.vti") });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, MostMilliseconds));
+  EXPECT_EQ(this->Model()->CurrentStudy(), study);
+}
+
 // The labels of the torso lie within the PET too, but have the voxels of the torso.
 TEST_F(FurtherScans, LeaveADroppedSegmentationToTheScanWithItsGrid)
 {

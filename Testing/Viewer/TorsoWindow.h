@@ -52,10 +52,15 @@ protected:
       [&] { return this->Model()->CurrentStudy() && !drawn.isEmpty(); }, MostMilliseconds));
   }
 
-  void Drop(const QString& path)
+  void Drop(const QStringList& paths)
   {
     QMimeData data;
-    data.setUrls({ QUrl::fromLocalFile(path) });
+    QList<QUrl> urls;
+    for (const QString& path : paths)
+    {
+      urls << QUrl::fromLocalFile(path);
+    }
+    data.setUrls(urls);
     QDragEnterEvent enter({ 10, 10 }, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&this->window, &enter);
     QDropEvent drop({ 10.0, 10.0 }, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);

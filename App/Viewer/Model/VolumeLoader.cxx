@@ -1,7 +1,5 @@
 #include "Viewer/Model/VolumeLoader.h"
 
-#include "Viewer/Model/VolumeRequests.h"
-
 #include <QThread>
 #include <QTimer>
 
@@ -83,10 +81,22 @@ void VolumeLoader::Load(const VolumeSource& source, const QString& series,
 
 void VolumeLoader::Load(const VolumeWish& wish)
 {
+  this->StartShowing([wish](const LoadObserver& observe, const ShowPreview& show)
+    { return ReadVolume(wish, observe, show); });
+}
+
+void VolumeLoader::LoadTogether(const std::vector<std::string>& paths)
+{
+  this->StartShowing([paths](const LoadObserver& observe, const ShowPreview& show)
+    { return ReadTogether(paths, observe, show); });
+}
+
+void VolumeLoader::StartShowing(const ReadAndShow& read)
+{
   auto request = std::make_shared<Task>();
-  request->read = [wish, task = request.get()](const LoadObserver& observe)
+  request->read = [read, task = request.get()](const LoadObserver& observe)
   {
-    return ReadVolume(wish, observe,
+    return read(observe,
       [task](const VolumeSource& shown, const std::shared_ptr<const Study>& study)
       { task->Show(shown, study); });
   };

@@ -2,11 +2,13 @@
 #define Varimarch_Viewer_VolumeLoader_h
 
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Model/VolumeRequests.h"
 
 #include <QObject>
 #include <QString>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,8 +18,6 @@ class QThread;
 
 namespace varimarch
 {
-
-struct VolumeWish;
 
 /// Reads volumes and segmentations in a thread, one at a time; a new request replaces the last one.
 /// Each request ends with exactly one of the signals Loaded, LabelsLoaded, PossibleLabelsLoaded,
@@ -41,6 +41,9 @@ public:
     const std::vector<OverlaidVolume>& overlays = {});
 
   void Load(const VolumeWish& wish);
+
+  /// Loads what files and folders are together, see TogetherDropped.
+  void LoadTogether(const std::vector<std::string>& paths);
 
   /// Loads labels over a scan.
   void LoadLabels(const SceneLabels& labels, std::shared_ptr<const Study> scan);
@@ -84,6 +87,10 @@ private:
 
   static void Run(Task& task);
 
+  /// Reads in the thread, and shows a coarse copy.
+  using ReadAndShow = std::function<Found(const LoadObserver&, const ShowPreview&)>;
+
+  void StartShowing(const ReadAndShow& read);
   void Start(std::shared_ptr<Task> request);
   void Finish();
   void EndCancelled();

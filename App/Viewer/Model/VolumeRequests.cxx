@@ -2,6 +2,7 @@
 
 #include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/RecentScans.h"
+#include "Viewer/Open/DroppedFiles.h"
 
 #include <algorithm>
 #include <iterator>
@@ -130,6 +131,10 @@ Found ReadVolume(const VolumeWish& wish, const LoadObserver& observe, const Show
   if (file && MayHoldSeveralSeries(*file))
   {
     found.series = ListSeries(file->path, observe);
+    if (!wish.ofSeries.empty())
+    {
+      found.series = SeriesOfFiles(found.series, wish.ofSeries, observe);
+    }
     std::copy_if(found.series.begin(), found.series.end(), std::back_inserter(found.segmentations),
       IsSegmentation);
     const SeriesSummary* const chosen = SeriesToOpen(found.series, wish.digest);
@@ -138,7 +143,9 @@ Found ReadVolume(const VolumeWish& wish, const LoadObserver& observe, const Show
       return found;
     }
     // The only series of a folder needs no name.
-    if (chosen && (found.series.size() > 1 || !wish.digest.isEmpty()))
+    const bool isOneOfMore =
+      found.series.size() > 1 || !wish.digest.isEmpty() || !wish.ofSeries.empty();
+    if (chosen && isOneOfMore)
     {
       file->series = chosen->uid;
     }
@@ -151,6 +158,16 @@ Found ReadVolume(const VolumeWish& wish, const LoadObserver& observe, const Show
     found.study = WithOverlays(found.study, wish.overlays, observe);
   }
   return found;
+}
+
+Found ReadTogether(
+  const std::vector<std::string>& paths, const LoadObserver& observe, const ShowPreview& show)
+{
+  const DroppedFiles dropped = TogetherDropped(paths);
+  VolumeWish wish;
+  wish.source = FileSource{ dropped.path, std::nullopt };
+  wish.ofSeries = dropped.ofSeries;
+  return ReadVolume(wish, observe, show);
 }
 
 Found ReadBeside(const std::string& path, const std::vector<std::shared_ptr<const Study>>& scans,

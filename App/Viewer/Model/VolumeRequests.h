@@ -33,6 +33,8 @@ struct VolumeWish
   std::optional<SceneLabels> labels;
   std::vector<OverlaidVolume> overlays;
   bool isForItself = true; ///< False if a coarse copy of the volume is of no use.
+  /// The DICOM files and folders whose series are meant; empty for all that the source holds.
+  std::vector<std::string> ofSeries = {};
 };
 
 /// Receives a coarse copy of a volume that takes long to be opened for the first time.
@@ -42,6 +44,11 @@ using ShowPreview = std::function<void(const VolumeSource&, std::shared_ptr<cons
 /// @param show  called in this thread before the volume itself is read, if it has neither
 /// @throws std::runtime_error as LoadVolume does
 Found ReadVolume(const VolumeWish& wish, const LoadObserver& observe, const ShowPreview& show);
+
+/// Reads the scan that files and folders are together, see TogetherDropped.
+/// @throws std::runtime_error as LoadVolume does, or if they are no single scan
+Found ReadTogether(
+  const std::vector<std::string>& paths, const LoadObserver& observe, const ShowPreview& show);
 
 /// Reads a file that may be a segmentation of one of several scans, see VolumeLoader::LoadBeside.
 /// @throws std::runtime_error as LoadVolume does
