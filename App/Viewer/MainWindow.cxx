@@ -95,7 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
 
 void MainWindow::Listen()
 {
-  connect(this->warnings, &WarningBar::RemedyWanted, this, &MainWindow::ToggleRectified);
+  connect(this->warnings, &WarningBar::RemedyWanted, this, &MainWindow::TakeRemedy);
   connect(&this->model, &SceneModel::Changed, this,
     [this](ScenePart part)
     {

@@ -1,10 +1,12 @@
 #ifndef Varimarch_Viewer_MainWindow_h
 #define Varimarch_Viewer_MainWindow_h
 
+#include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/Model/VolumeLoader.h"
+#include "Viewer/Open/WholeSeries.h"
 
 #include <QMainWindow>
 
@@ -54,11 +56,11 @@ public:
   /// @param series  digest of the DICOM series to open; if empty, the user is asked
   void Open(const QString& path, const QString& series = {});
 
-  /// Starts to load a scan whose times are files: those beside this one whose names differ from its
-  /// own in their last number, or those in this folder.
   /// Starts to load the scan that files and folders are together; several series are offered.
   void OpenTogether(const QStringList& paths);
 
+  /// Starts to load a scan whose times are files: those beside this one whose names differ from its
+  /// own in their last number, or those in this folder.
   void OpenTimes(const QString& path);
 
   /// Starts to load a scan to be drawn over the one that is shown.
@@ -209,6 +211,9 @@ private:
   void KeepInMind(const FileSource& file, const Study& study);
   void ShowSuggestion(const Study& study);
   void ShowWarnings(bool isNewVolume);
+  void TakeRemedy();
+  void ArrangeSingleImage();
+  void LookForSeries(const VolumeSource& source);
   void ToggleRectified();
   void Exchange(const VolumeSource& source, const std::shared_ptr<const Study>& form);
   void ShowFailure(const QString& reason);
@@ -223,6 +228,7 @@ private:
   bool restoresAutosaved = false; ///< the scene being loaded is the autosaved one
   bool addsScan = false;          ///< true while a further scan is being loaded
   bool isDropped = false;         ///< the file being loaded may be a segmentation of the scan
+  bool isSingleImage = false;     ///< the scan that is shown is a single image
   bool isPreviewed = false;       ///< a coarse copy of the volume being loaded was shown
   int labelledVolume = 0;         ///< the volume that a segmentation is being loaded for
   std::vector<SeriesSummary> segmentations; ///< found in the folder that is being loaded
@@ -238,6 +244,8 @@ private:
   TimeBar* timeBar;
   TimeCurve* timeCurve;
   WarningBar* warnings;
+  BackgroundTask seriesSearch;            ///< looks for the other images of a single one
+  std::optional<WholeSeries> wholeSeries; ///< belongs to the single image shown
   QMenu* recentMenu;
   ViewMenu* viewMenu;
   std::vector<QDockWidget*> panels;

@@ -2,15 +2,19 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Scene/SingleImage.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/PresetTitles.h"
 #include "Viewer/Open/WarningBar.h"
+#include "Viewer/View/SliceView.h"
+#include "Viewer/View/ViewLayout.h"
 
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStatusBar>
 
+#include <memory>
 #include <utility>
 
 namespace varimarch
@@ -69,7 +73,43 @@ bool MainWindow::TakeLoaded(const VolumeSource& source, const std::shared_ptr<co
     this->model.Open(source, study);
   }
   this->savedWork = this->restoresAutosaved || isUnsaved ? QString() : this->CurrentWork();
+  this->ArrangeSingleImage();
+  this->LookForSeries(source);
   return true;
+}
+
+// A single image, such as a radiograph, fills the window. In 3D and from its edges it is a line.
+void MainWindow::ArrangeSingleImage()
+{
+  const auto single = SingleImageOf(this->model.CurrentStudy()->volume.image);
+  if (single)
+  {
+    this->views->ShowAlone(this->sliceViews[std::size_t(single->plane)]);
+  }
+  else if (this->isSingleImage)
+  {
+    this->views->ShowAlone(nullptr);
+  }
+  this->isSingleImage = bool(single);
+}
+
+// Offers the series of a single image, which may lie beside it.
+void MainWindow::LookForSeries(const VolumeSource& source)
+{
+  this->seriesSearch.Cancel();
+  const auto* const file = std::get_if<FileSource>(&source);
+  if (!this->isSingleImage || !file || !file->series.empty())
+  {
+    return;
+  }
+  const auto found = std::make_shared<std::optional<WholeSeries>>();
+  this->seriesSearch.Start([path = file->path, found](const TaskProgress& goesOn)
+    { *found = WholeSeriesOf(path, goesOn); },
+    [this, found]
+    {
+      this->wholeSeries = *found;
+      this->ShowWarnings(false);
+    });
 }
 
 void MainWindow::ShowLoaded(const VolumeSource& source, const std::shared_ptr<const Study>& study)
@@ -117,10 +157,20 @@ void MainWindow::ShowWarnings(bool isNewVolume)
 {
   const Study& study = *this->model.CurrentStudy();
   const SliceLayout slices = study.volume.slices;
-  const QString remedy = slices == SliceLayout::Irregular ? tr("Rectify")
-    : slices == SliceLayout::Rectified                    ? tr("Show as scanned")
-                                                          : QString();
-  const std::vector<ScanWarning> found = WarningBar::WarningsOf(this->model.CurrentScene(), study);
+  QString remedy = slices == SliceLayout::Irregular ? tr("Rectify")
+    : slices == SliceLayout::Rectified              ? tr("Show as scanned")
+                                                    : QString();
+  std::vector<ScanWarning> found = WarningBar::WarningsOf(this->model.CurrentScene(), study);
+  if (isNewVolume)
+  {
+    this->wholeSeries.reset();
+  }
+  if (this->wholeSeries)
+  {
+    remedy = tr("Open all images");
+    found.push_back({ study.labelGuard,
+      tr("This image belongs to a series of %1 images.").arg(this->wholeSeries->imageCount), {} });
+  }
   if (isNewVolume)
   {
     this->warnings->Show(found, remedy);
@@ -128,6 +178,19 @@ void MainWindow::ShowWarnings(bool isNewVolume)
   else
   {
     this->warnings->Update(found, remedy);
+  }
+}
+
+void MainWindow::TakeRemedy()
+{
+  if (this->wholeSeries)
+  {
+    this->Open(
+      QString::fromStdString(this->wholeSeries->folder), DigestOfSeries(this->wholeSeries->uid));
+  }
+  else
+  {
+    this->ToggleRectified();
   }
 }
 

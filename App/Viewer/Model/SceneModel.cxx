@@ -5,6 +5,7 @@
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneVolumes.h"
+#include "Scene/SingleImage.h"
 #include "Scene/VolumeProperty.h"
 
 #include <QUndoCommand>
@@ -24,8 +25,7 @@ std::vector<std::vector<std::array<double, 3>>> TakePoints(std::vector<Measure>&
   std::vector<std::vector<std::array<double, 3>>> points;
   for (Measure& measure : measures)
   {
-    points.push_back(std::move(measure.pointsMm));
-    measure.pointsMm.clear();
+    points.push_back(std::exchange(measure.pointsMm, {}));
   }
   return points;
 }
@@ -111,6 +111,7 @@ void SceneModel::Open(const VolumeSource& source, std::shared_ptr<const Study> o
   first.volume = source;
   first.render = this->state.scene.render;
   TakePreset(BuiltInPreset(SuggestedPreset(opened->volume, opened->statistics).name), first);
+  first.slices.turn = FirstTurnOf(opened->volume.image);
   first.labels = LabelsOfFile(source, *opened);
   if (first.labels)
   {

@@ -2907,6 +2907,14 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
         <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
         <translation>Strg+K findet jeden Befehl durch ein Wort, und F1 zeigt, was Maus und Tasten tun. Das Menü Datei speichert Sitzungen, Bilder und Berichte.</translation>
     </message>
+    <message>
+        <source>Open all images</source>
+        <translation>Alle Bilder öffnen</translation>
+    </message>
+    <message>
+        <source>This image belongs to a series of %1 images.</source>
+        <translation>Dieses Bild gehört zu einer Serie von %1 Bildern.</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>

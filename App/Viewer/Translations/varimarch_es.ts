@@ -2907,6 +2907,14 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
         <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
         <translation>Ctrl+K encuentra cualquier orden por una palabra y F1 muestra qué hacen el ratón y las teclas. El menú Archivo guarda sesiones, imágenes e informes.</translation>
     </message>
+    <message>
+        <source>Open all images</source>
+        <translation>Abrir todas las imágenes</translation>
+    </message>
+    <message>
+        <source>This image belongs to a series of %1 images.</source>
+        <translation>Esta imagen pertenece a una serie de %1 imágenes.</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::MeasuresPanel</name>
