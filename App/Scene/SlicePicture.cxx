@@ -19,19 +19,26 @@ namespace
 // The part of the range of a PET scan that its slices and the preset pet-maximum show.
 constexpr double PetPartShown = 0.5;
 
+bool IsPet(const LoadedVolume& volume)
+{
+  return volume.modality == "PT";
+}
+
+}
+
+std::array<double, 2> AutomaticWindow(const LoadedVolume& volume, const ImageStatistics& statistics)
+{
+  // Organs that excrete the tracer are many times brighter than the body.
+  const bool isPet = IsPet(volume);
+  const double first = isPet ? 0.0 : statistics.Percentile(0.1);
+  const double last = (isPet ? PetPartShown : 1.0) * statistics.Percentile(99.9);
+  return { std::max(last - first, 1e-6), 0.5 * (first + last) };
 }
 
 SliceGrays SuggestedGrays(const LoadedVolume& volume, const ImageStatistics& statistics)
 {
-  const bool isPet = volume.modality == "PT";
-  if (volume.windowLevel)
-  {
-    return { *volume.windowLevel, isPet };
-  }
-  // Organs that excrete the tracer are many times brighter than the body.
-  const double first = isPet ? 0.0 : statistics.Percentile(0.1);
-  const double last = (isPet ? PetPartShown : 1.0) * statistics.Percentile(99.9);
-  return { { std::max(last - first, 1e-6), 0.5 * (first + last) }, isPet };
+  return { volume.windowLevel ? *volume.windowLevel : AutomaticWindow(volume, statistics),
+    IsPet(volume) };
 }
 
 std::vector<std::uint8_t> SlicePicture(vtkImageData* image, const SliceRequest& request)

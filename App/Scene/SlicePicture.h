@@ -38,6 +38,10 @@ struct SliceGrays
   bool inverted;
 };
 
+/// Window and level by the histogram of a volume.
+std::array<double, 2> AutomaticWindow(
+  const LoadedVolume& volume, const ImageStatistics& statistics);
+
 /// The grey scale that suits a volume: window and level of its file, otherwise of its histogram.
 /// PET is inverted, as is usual: the more tracer, the darker.
 SliceGrays SuggestedGrays(const LoadedVolume& volume, const ImageStatistics& statistics);

@@ -126,13 +126,19 @@ void ViewMenu::ListWindows(QMenu* windows)
 {
   windows->clear();
   QStringList titles = WindowTitles(*this->model);
-  titles.prepend(tr("As in the file"));
+  const bool hasOwn = HasWindowOfFile(*this->model);
+  titles.prepend(hasOwn ? tr("As in the file") : tr("Automatic"));
   for (int number = 0; number < titles.size(); ++number)
   {
     QAction* const action = windows->addAction(tr("&%1  %2").arg(number).arg(titles[number]), this,
       [this, number] { ChooseWindow(this->model, number); });
     action->setEnabled(bool(this->model->CurrentStudy()));
     action->setStatusTip(tr("Or click a slice and press %1").arg(number));
+  }
+  if (hasOwn)
+  {
+    windows->addAction(tr("Automatic"), this, [this] { ChooseAutomaticWindow(this->model); })
+      ->setStatusTip(tr("From the darkest to the brightest values of the scan"));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Readers/Dicom/Grouping.h"
 #include "Readers/Dicom/Metadata.h"
 #include "Readers/Dicom/Segmentation.h"
+#include "Readers/Dicom/SeriesWindow.h"
 #include "Readers/Dicom/StoredSlices.h"
 #include "Readers/Dicom/Values.h"
 #include "Readers/FileError.h"
@@ -28,13 +29,6 @@ void TakeMetadata(const DicomFrame& slice, Volume& volume)
   volume.bodyPart = metadata.bodyPart;
   volume.hasContrastAgent = metadata.hasContrastAgent;
   volume.weighting = metadata.weighting;
-  volume.windowLevel = metadata.windowLevel;
-  if (volume.windowLevel && slice.isRealWorld)
-  {
-    // The file recommends values that its real-world map has not been applied to.
-    volume.windowLevel->window *= std::abs(slice.slope);
-    volume.windowLevel->level = slice.slope * volume.windowLevel->level + slice.intercept;
-  }
   volume.uptakeValueFactor = metadata.uptakeValueFactor;
   if (!metadata.uptakeDoubt.empty())
   {
@@ -146,6 +140,7 @@ Volume ReadSlices(const std::string& path, const DicomSeries& series, const Read
   WarnOfLoss(frames, volume.warnings);
   WarnOfOtherMaps(frames, volume.warnings);
   TakeMetadata(frames.front(), volume);
+  volume.windowLevel = WindowOfSeries(frames);
   return volume;
 }
 

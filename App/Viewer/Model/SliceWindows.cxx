@@ -1,5 +1,6 @@
 #include "Viewer/Model/SliceWindows.h"
 
+#include "Scene/SlicePicture.h"
 #include "Scene/WindowPresets.h"
 
 #include <QCoreApplication>
@@ -29,6 +30,26 @@ std::vector<WindowPreset> PresetsOf(const SceneModel& model)
   return study ? WindowPresetsOf(study->volume.modality) : std::vector<WindowPreset>();
 }
 
+void SetWindow(SceneModel* model, const std::optional<std::array<double, 2>>& windowLevel)
+{
+  model->Edit(ScenePart::Slices, QCoreApplication::translate("SliceView", "window and level"),
+    [&](Scene& scene) { scene.slices.windowLevel = windowLevel; });
+}
+
+}
+
+bool HasWindowOfFile(const SceneModel& model)
+{
+  const auto study = model.CurrentStudy();
+  return study && study->volume.windowLevel;
+}
+
+void ChooseAutomaticWindow(SceneModel* model)
+{
+  if (const auto study = model->CurrentStudy())
+  {
+    SetWindow(model, AutomaticWindow(study->volume, study->statistics));
+  }
 }
 
 QStringList WindowTitles(const SceneModel& model)
@@ -54,8 +75,7 @@ void ChooseWindow(SceneModel* model, int number)
     const WindowPreset& preset = presets[std::size_t(number - 1)];
     windowLevel = { preset.window, preset.level };
   }
-  model->Edit(ScenePart::Slices, QCoreApplication::translate("SliceView", "window and level"),
-    [&](Scene& scene) { scene.slices.windowLevel = windowLevel; });
+  SetWindow(model, windowLevel);
 }
 
 }

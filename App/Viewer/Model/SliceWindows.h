@@ -12,6 +12,12 @@ namespace varimarch
 /// a scan. See Scene/WindowPresets.h.
 QStringList WindowTitles(const SceneModel& model);
 
+/// True if the file of the shown scan recommends a window that its images share.
+bool HasWindowOfFile(const SceneModel& model);
+
+/// Shows the slices by the window of the histogram, whatever the file recommends.
+void ChooseAutomaticWindow(SceneModel* model);
+
 /// Shows the slices by the usual window of this number, from 1, or by that of the file or of the
 /// histogram if it is 0. Does nothing if there is none.
 void ChooseWindow(SceneModel* model, int number);

@@ -4443,6 +4443,14 @@ ml</translation>
         <source>&amp;Times</source>
         <translation>&amp;Zeitpunkte</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>From the darkest to the brightest values of the scan</source>
+        <translation>Von den dunkelsten bis zu den hellsten Werten der Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::VolumeLoader</name>

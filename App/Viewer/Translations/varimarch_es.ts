@@ -4443,6 +4443,14 @@ ml</translation>
         <source>&amp;Times</source>
         <translation>&amp;Tiempos</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automática</translation>
+    </message>
+    <message>
+        <source>From the darkest to the brightest values of the scan</source>
+        <translation>De los valores más oscuros a los más claros del estudio</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::VolumeLoader</name>
