@@ -3,6 +3,7 @@
 
 #include "Viewer/MainWindow.h"
 
+#include "Readers/PrivateFolder.h"
 #include "Scene/SceneVolumes.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/SaveDialog.h"
@@ -151,6 +152,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
   {
     this->autosave.Remove();
   }
+  this->fetched.clear(); // the program may end before its threads do
   QSettings settings;
   settings.setValue("window/geometry", this->saveGeometry());
   settings.setValue("window/panels", this->saveState());

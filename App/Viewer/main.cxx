@@ -18,11 +18,14 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <iterator>
+#include <memory>
+#include <thread>
 
 namespace
 {
@@ -99,19 +102,34 @@ void EndOnFatalMessage(QtMsgType type, const QMessageLogContext&, const QString&
   }
 }
 
-// Returns false, with a message, if the window cannot listen to scripts.
-bool Listens(varimarch::MainWindow& window, const QString& name)
+// Ends the program after a moment, even if threads still read or draw a scan. The user's work is in
+// files once the window is closed, and nobody waits for theirs.
+void EndSoon(int code)
+{
+  const std::chrono::milliseconds moment(500);
+  std::thread(
+    [code, moment]
+    {
+      std::this_thread::sleep_for(moment);
+      std::_Exit(code);
+    })
+    .detach();
+}
+
+// Null, with a message, if the window cannot listen to scripts.
+std::unique_ptr<varimarch::RemoteControl> ListeningTo(
+  const QString& name, varimarch::MainWindow& window)
 {
   try
   {
-    // Owned by the window.
-    (new varimarch::RemoteControl(&window))->Listen(name);
-    return true;
+    auto remote = std::make_unique<varimarch::RemoteControl>(&window);
+    remote->Listen(name);
+    return remote;
   }
   catch (const std::exception& problem)
   {
     std::cerr << "varimarch-viewer: " << problem.what() << "\n";
-    return false;
+    return nullptr;
   }
 }
 
@@ -129,9 +147,14 @@ int RunWindow(const QCommandLineParser& parser)
   varimarch::ApplyTheme(varimarch::ChosenTheme());
   varimarch::StartLog(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation));
   varimarch::MainWindow window;
-  if (parser.isSet("listen") && !Listens(window, parser.value("listen")))
+  std::unique_ptr<varimarch::RemoteControl> remote; // it leaves before the window, with its socket
+  if (parser.isSet("listen"))
   {
-    return EXIT_FAILURE;
+    remote = ListeningTo(parser.value("listen"), window);
+    if (!remote)
+    {
+      return EXIT_FAILURE;
+    }
   }
   if (varimarch::IsOpenGLOnProcessor())
   {
@@ -149,7 +172,9 @@ int RunWindow(const QCommandLineParser& parser)
     window.OfferAutosaved();
     window.OfferFileAtStart();
   }
-  return RunEvents();
+  const int code = RunEvents();
+  EndSoon(code);
+  return code;
 }
 
 }
