@@ -330,8 +330,8 @@ void MainWindow::ListRecentScans()
   this->recentMenu->clear();
   for (const RecentScan& scan : this->recentScans.List())
   {
-    this->recentMenu->addAction(
-      scan.label, this, [this, scan] { this->Open(scan.path, scan.series); });
+    this->recentMenu->addAction(scan.Title() + ", " + scan.Opened(), this,
+      [this, scan] { this->Open(scan.path, scan.series); });
   }
   this->recentMenu->addSeparator();
   this->recentMenu->addAction(tr("Clear the list"), this, [this] { this->recentScans.Clear(); });

@@ -51,9 +51,10 @@ TEST_F(Recent, AreListedTheLatestFirstAndOnce)
 TEST_F(Recent, HaveLabelsWithoutPatientData)
 {
   this->scans.Add(this->Source("DOE^JOHN"), *SmallStudy());
-  const QString label = this->scans.List().first().label;
-  EXPECT_FALSE(label.contains("DOE"));
-  EXPECT_TRUE(label.startsWith("CT, 32 x 28 x 20"));
+  const RecentScan scan = this->scans.List().first();
+  EXPECT_EQ(scan.Title(), "CT, 32 x 28 x 20");
+  EXPECT_TRUE(scan.Opened().startsWith("opened "));
+  EXPECT_FALSE(scan.Opened().contains("DOE"));
 }
 
 TEST_F(Recent, DistinguishTheSeriesOfAFolderWithoutTheirUid)

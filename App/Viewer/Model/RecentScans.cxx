@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
-#include <QDateTime>
 #include <QFile>
 #include <QLocale>
 #include <QSettings>
@@ -21,18 +20,10 @@ namespace
 
 const QString RecentScansKey = QStringLiteral("recentScans");
 
-QString LabelOf(const Study& study)
+QString SizeOf(const Study& study)
 {
   const int* const count = study.volume.image->GetDimensions();
-  const QString modality = study.volume.modality.empty()
-    ? QCoreApplication::translate("RecentScans", "Volume")
-    : QString::fromStdString(study.volume.modality);
-  return QCoreApplication::translate("RecentScans", "%1, %2 x %3 x %4, opened %5")
-    .arg(modality)
-    .arg(count[0])
-    .arg(count[1])
-    .arg(count[2])
-    .arg(QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat));
+  return QStringLiteral("%1 x %2 x %3").arg(count[0]).arg(count[1]).arg(count[2]);
 }
 
 QVector<RecentScan> Existing(QVector<RecentScan> scans)
@@ -43,6 +34,20 @@ QVector<RecentScan> Existing(QVector<RecentScan> scans)
   return scans;
 }
 
+}
+
+QString RecentScan::Title() const
+{
+  const QString kind = this->modality.isEmpty()
+    ? QCoreApplication::translate("RecentScans", "Volume")
+    : this->modality;
+  return (kind + ' ' + this->bodyPart).trimmed() + ", " + this->size;
+}
+
+QString RecentScan::Opened() const
+{
+  return QCoreApplication::translate("RecentScans", "opened %1")
+    .arg(QLocale().toString(this->opened, QLocale::ShortFormat));
 }
 
 QString DigestOfSeries(const std::string& uid)
@@ -61,7 +66,8 @@ QVector<RecentScan> RecentScans::List() const
   {
     settings.setArrayIndex(i);
     const auto text = [&](const char* key) { return settings.value(key).toString(); };
-    scans.append({ text("path"), text("label"), text("series") });
+    scans.append({ text("path"), text("series"), text("modality"), text("bodyPart"), text("size"),
+      settings.value("opened").toDateTime() });
   }
   // Scans stay in the list if a disk of the network does not answer.
   return ResultInTime([scans] { return Existing(scans); }).value_or(scans);
@@ -69,8 +75,9 @@ QVector<RecentScan> RecentScans::List() const
 
 void RecentScans::Add(const FileSource& source, const Study& study)
 {
-  const RecentScan added = { QString::fromStdString(source.path), LabelOf(study),
-    DigestOfSeries(source.series) };
+  const RecentScan added = { QString::fromStdString(source.path), DigestOfSeries(source.series),
+    QString::fromStdString(study.volume.modality), QString::fromStdString(study.volume.bodyPart),
+    SizeOf(study), QDateTime::currentDateTime() };
   QVector<RecentScan> scans = this->List();
   scans.erase(std::remove_if(scans.begin(), scans.end(),
                 [&](const RecentScan& scan)
@@ -94,8 +101,11 @@ void RecentScans::Keep(const QVector<RecentScan>& scans)
   {
     settings.setArrayIndex(i);
     settings.setValue("path", scans[i].path);
-    settings.setValue("label", scans[i].label);
     settings.setValue("series", scans[i].series);
+    settings.setValue("modality", scans[i].modality);
+    settings.setValue("bodyPart", scans[i].bodyPart);
+    settings.setValue("size", scans[i].size);
+    settings.setValue("opened", scans[i].opened);
   }
   settings.endArray();
   // Paths of scans are for their user only. A file that is written again keeps its permissions.

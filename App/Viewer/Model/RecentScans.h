@@ -3,19 +3,27 @@
 
 #include "Viewer/Model/SceneModel.h"
 
+#include <QDateTime>
 #include <QString>
 #include <QVector>
 
 namespace varimarch
 {
 
-/// A menu entry for a scan that was opened. Names of files and folders may contain a patient's
-/// name; therefore the label gives the modality, the size and the time of opening.
+/// A scan that was opened. Names of files and folders may contain a patient's name; therefore its
+/// texts, in the user's language, give the modality, the part of the body, the size and the time of
+/// opening.
 struct RecentScan
 {
   QString path;
-  QString label;  ///< "CT, 256 x 256 x 108, opened 21 Nov 2026 21:08"
   QString series; ///< digest of the DICOM series, see DigestOfSeries; empty if there is only one
+  QString modality;
+  QString bodyPart; ///< as in DICOM: "HEAD"; empty if unknown
+  QString size;     ///< "256 x 256 x 108"
+  QDateTime opened;
+
+  QString Title() const;  ///< "CT HEAD, 256 x 256 x 108"
+  QString Opened() const; ///< "opened 21 Nov 2026 21:08"
 };
 
 /// Identifies a DICOM series without storing its UID, which can be traced to a patient.

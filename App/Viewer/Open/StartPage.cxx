@@ -70,7 +70,7 @@ void StartPage::AddRecentScans(QVBoxLayout* column, const RecentScans& recentSca
   AddHeading(column, tr("Recent scans"));
   for (const RecentScan& scan : scans)
   {
-    connect(AddButton(column, scan.label, {}), &QAbstractButton::clicked, this,
+    connect(AddButton(column, scan.Title(), scan.Opened()), &QAbstractButton::clicked, this,
       [this, scan] { emit this->ScanWanted(scan.path, scan.series); });
   }
 }

@@ -582,8 +582,8 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>%1, %2 x %3 x %4, opened %5</source>
-        <translation>%1, %2 x %3 x %4, geöffnet %5</translation>
+        <source>opened %1</source>
+        <translation>geöffnet %1</translation>
     </message>
 </context>
 <context>

@@ -582,8 +582,8 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>%1, %2 x %3 x %4, opened %5</source>
-        <translation>%1, %2 x %3 x %4, abierto %5</translation>
+        <source>opened %1</source>
+        <translation>abierto %1</translation>
     </message>
 </context>
 <context>
