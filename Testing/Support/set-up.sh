@@ -19,7 +19,7 @@ packages=(
   invesalius-examples mricron-data
 )
 testPackages=(
-  at-spi2-core dbus dcmtk dicom3tools libgtest-dev glslang-tools openssl orthanc orthanc-dicomweb
+  at-spi2-core dbus dcmtk dicom3tools libgtest-dev glslang-tools openbox openssl orthanc orthanc-dicomweb
   python3-fuse python3-h5py python3-pyatspi python3-pydicom python3-vedo python3-venv python3-wheel
   python3-zarr xdotool xvfb xauth
 )
