@@ -13,7 +13,6 @@
 #include "Readers/Times.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace varimarch
 {
