@@ -31,6 +31,7 @@ enum class PacketRule
   Extreme,
   Isosurfaces,
   Projection,
+  RangeMean,      ///< the mean of values in a range, from cell to cell
   Voxels,         ///< boxes without interpolation
   MaterialVoxels, ///< boxes whose material depends on gradients too
   ExtremeVoxel,

@@ -76,6 +76,11 @@ inline bool IsOfExtreme(const PacketScene& scene)
   return scene.rule == PacketRule::Extreme || scene.rule == PacketRule::ExtremeVoxel;
 }
 
+inline bool IsOfProjection(const PacketScene& scene)
+{
+  return scene.rule == PacketRule::Projection || scene.rule == PacketRule::RangeMean;
+}
+
 /// The colours of what rays have gathered.
 inline PacketSum SeenOf(const PacketScene& scene, const PacketSum& march)
 {
@@ -83,7 +88,7 @@ inline PacketSum SeenOf(const PacketScene& scene, const PacketSum& march)
   {
     return SeenOfExtreme(scene, march);
   }
-  return scene.rule == PacketRule::Projection ? SeenOfProjection(scene, march) : march;
+  return IsOfProjection(scene) ? SeenOfProjection(scene, march) : march;
 }
 
 template <class Content>

@@ -14,6 +14,7 @@
 #include "Core/Packets/March/Midpoint.h"
 #include "Core/Packets/March/PreIntegrated.h"
 #include "Core/Packets/March/Projection.h"
+#include "Core/Packets/March/RangeMean.h"
 #include "Core/Packets/March/Voxels.h"
 #include "Core/Packets/Material/Labelled.h"
 #include "Core/Packets/PacketTile.h"
@@ -62,6 +63,13 @@ FLATTENED PacketSum MarchProjection(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   return ProjectionMarch<Voxels>(scene, rays, walk, before).March();
+}
+
+template <class Voxel>
+FLATTENED PacketSum MarchRangeMean(
+  const PacketScene& scene, const PacketRays& rays, const PacketSum& before)
+{
+  return RangeMeanMarch<Voxel>(scene, rays, before).March();
 }
 
 template <class Voxel>
@@ -135,6 +143,8 @@ PacketSum MarchByRule(
       return MarchExtreme<CubicCells<Voxel>>(scene, rays, before);
     case PacketRule::ExtremeVoxel:
       return MarchExtreme<PacketBoxes<Voxel>>(scene, rays, before);
+    case PacketRule::RangeMean:
+      return MarchRangeMean<Voxel>(scene, rays, before);
     case PacketRule::Isosurfaces:
       return MarchIsosurfaces<Voxel>(scene, rays, walk, before);
     case PacketRule::Voxels:

@@ -38,7 +38,7 @@ PacketRule RuleOf(const RenderSettings& settings)
   }
   if (IsProjection(settings.blend))
   {
-    return PacketRule::Projection;
+    return settings.limitsMean ? PacketRule::RangeMean : PacketRule::Projection;
   }
   if (settings.blend == Blend::Isosurface)
   {

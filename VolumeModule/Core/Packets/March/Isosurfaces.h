@@ -21,38 +21,6 @@ namespace varimarch
 namespace
 {
 
-/// A part of a cubic on which it is monotone.
-struct MonotonePiece
-{
-  Lanes begin; ///< [0, 1]
-  Lanes end;
-};
-
-/// The place where a cubic takes a value that lies between its values at the ends of a piece: by
-/// Newton's method, and by bisection where that leads outside.
-/// @param mask  the rays for which it matters
-inline Lanes CrossingOf(const Lanes4& cubic, Lanes value, MonotonePiece piece, LaneMask mask)
-{
-  const LaneMask falls = LaneMask(CubicValue(cubic, piece.end) < CubicValue(cubic, piece.begin));
-  const Lanes rises = Select(falls, All(-1.0f), All(1.0f));
-  Lanes u = 0.5f * (piece.begin + piece.end);
-  for (int i = 0; i < 30 && Any(mask); ++i)
-  {
-    const Lanes above = rises * (CubicValue(cubic, u) - value);
-    const LaneMask isBelow = LaneMask(above < 0.0f);
-    piece = { Select(isBelow, u, piece.begin), Select(isBelow, piece.end, u) };
-    const Lanes slope = rises * CubicSlope(cubic, u);
-    const Lanes newton = u - above / slope;
-    const LaneMask isInside =
-      LaneMask(slope > 0.0f) & LaneMask(newton > piece.begin) & LaneMask(newton < piece.end);
-    const Lanes next = Select(isInside, newton, 0.5f * (piece.begin + piece.end));
-    const LaneMask moves = LaneMask(Abs(next - u) > 1e-6f);
-    u = Select(mask, next, u); // a ray that has found its place keeps it
-    mask &= moves;
-  }
-  return u;
-}
-
 template <class Voxel>
 class IsosurfaceMarch
 {

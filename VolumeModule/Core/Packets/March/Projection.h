@@ -36,76 +36,16 @@ inline PacketSum SeenOfProjection(const PacketScene& scene, const PacketSum& mar
   return sum;
 }
 
-/// A march of segments of equal parts. A part that a ray skips is as invisible throughout as its
-/// first point, but its length counts.
-template <class Voxels>
-class ProjectionMarch
+/// The integral and the length of values along rays.
+class ProjectedSum
 {
 public:
-  ProjectionMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
-    const PacketSum& before)
+  ProjectedSum(const PacketScene& scene, const PacketSum& before)
     : scene(scene)
     , parameters(scene.parameters)
-    , rays(rays)
-    , walk(walk)
-    , voxels(scene.volume)
     , integral(before.color.x)
     , lengthMm(before.color.y)
   {
-  }
-
-  PacketSum March()
-  {
-    Lanes t = this->rays.enter;
-    LaneMask going = LaneMask(t < this->rays.exit);
-    for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
-    {
-      const SegmentLanes segment = this->walk.NextSegment(
-        t, AllInt(index), PartsPerSegment * this->scene.rays.stepMm, Lanes{}, going);
-      const LaneMask leavesOut = going & LaneMask(segment.enter > t);
-      if (Any(leavesOut))
-      {
-        const Lanes leftOutMm = Min(segment.enter, this->rays.exit) - t;
-        this->Add(this->voxels.ValueAt(this->rays.At(t)), Select(leavesOut, leftOutMm, Lanes{}));
-      }
-      going &= LaneMask(segment.enter < this->rays.exit);
-      t = Min(segment.exit, this->rays.exit);
-      this->AddParts(segment.enter, Select(going, t - segment.enter, Lanes{}));
-      going &= LaneMask(t < this->rays.exit) & ~this->IsWhite();
-    }
-    PacketSum sum;
-    sum.color.x = this->integral;
-    sum.color.y = this->lengthMm;
-    sum.opticalDepth = Select(this->IsWhite(), All(Never), Lanes{});
-    return sum;
-  }
-
-private:
-  static constexpr int PartsPerSegment = 4;
-
-  // A sum is at most white; a mean may always become darker.
-  LaneMask IsWhite() const
-  {
-    return LaneMask(this->integral >= this->parameters.opacityUnitDistancesMm.x) &
-      AllInt(this->scene.isMean ? 0 : -1);
-  }
-
-  LaneMask Counts(Lanes value) const
-  {
-    return (LaneMask(value >= this->parameters.averagedLower.x) &
-             LaneMask(value <= this->parameters.averagedUpper.x)) |
-      AllInt(this->scene.isMean ? 0 : -1);
-  }
-
-  void AddParts(Lanes enter, Lanes lengthMm)
-  {
-    const Lanes partMm = (1.0f / PartsPerSegment) * lengthMm;
-    Lanes values[PartsPerSegment];
-    ReadValues(this->voxels, this->rays, enter + 0.5f * partMm, partMm, values);
-    for (const Lanes& value : values)
-    {
-      this->Add(value, partMm);
-    }
   }
 
   void Add(Lanes value, Lanes lengthMm)
@@ -122,13 +62,94 @@ private:
     }
   }
 
+  // A sum is at most white; a mean may always become darker.
+  LaneMask IsWhite() const
+  {
+    return LaneMask(this->integral >= this->parameters.opacityUnitDistancesMm.x) &
+      AllInt(this->scene.isMean ? 0 : -1);
+  }
+
+  PacketSum Sum() const
+  {
+    PacketSum sum;
+    sum.color.x = this->integral;
+    sum.color.y = this->lengthMm;
+    sum.opticalDepth = Select(this->IsWhite(), All(Never), Lanes{});
+    return sum;
+  }
+
+private:
+  LaneMask Counts(Lanes value) const
+  {
+    return (LaneMask(value >= this->parameters.averagedLower.x) &
+             LaneMask(value <= this->parameters.averagedUpper.x)) |
+      AllInt(this->scene.isMean ? 0 : -1);
+  }
+
   const PacketScene& scene;
   const VolumeParameters& parameters;
+  Lanes integral; ///< [mm]
+  Lanes lengthMm; ///< length of the samples that count
+};
+
+/// A march of segments of equal parts. A part that a ray skips is as invisible throughout as its
+/// first point, but its length counts.
+template <class Voxels>
+class ProjectionMarch
+{
+public:
+  ProjectionMarch(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
+    const PacketSum& before)
+    : scene(scene)
+    , rays(rays)
+    , walk(walk)
+    , voxels(scene.volume)
+    , gathered(scene, before)
+  {
+  }
+
+  PacketSum March()
+  {
+    Lanes t = this->rays.enter;
+    LaneMask going = LaneMask(t < this->rays.exit);
+    for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
+    {
+      const SegmentLanes segment = this->walk.NextSegment(
+        t, AllInt(index), PartsPerSegment * this->scene.rays.stepMm, Lanes{}, going);
+      const LaneMask leavesOut = going & LaneMask(segment.enter > t);
+      if (Any(leavesOut))
+      {
+        const Lanes leftOutMm = Min(segment.enter, this->rays.exit) - t;
+        this->gathered.Add(
+          this->voxels.ValueAt(this->rays.At(t)), Select(leavesOut, leftOutMm, Lanes{}));
+      }
+      going &= LaneMask(segment.enter < this->rays.exit);
+      t = Min(segment.exit, this->rays.exit);
+      this->AddParts(segment.enter, Select(going, t - segment.enter, Lanes{}));
+      going &= LaneMask(t < this->rays.exit) & ~this->gathered.IsWhite();
+    }
+    return this->gathered.Sum();
+  }
+
+private:
+  static constexpr int PartsPerSegment = 4;
+
+  void AddParts(Lanes enter, Lanes lengthMm)
+  {
+    const Lanes partMm = (1.0f / PartsPerSegment) * lengthMm;
+    Lanes values[PartsPerSegment];
+    ReadValues(this->voxels, this->rays, enter + 0.5f * partMm, partMm, values);
+    for (const Lanes& value : values)
+    {
+      this->gathered.Add(value, partMm);
+    }
+  }
+
+  const PacketScene& scene;
   const PacketRays& rays;
   const PacketWalk& walk;
   Voxels voxels;
-  Lanes integral; ///< [mm]
-  Lanes lengthMm; ///< length of the samples that count
+  ProjectedSum gathered;
 };
 
 }
