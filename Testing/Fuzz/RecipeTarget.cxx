@@ -89,6 +89,7 @@ void ChooseImage(ChosenNumbers& numbers, RenderSettings& settings)
   settings.fillGaps = numbers.Flag();
   settings.skipsBricks = numbers.Flag();
   settings.windowLevel = numbers.Flag();
+  settings.triesRays = numbers.Flag();
   settings.jitter = IsSampled(settings) && numbers.Flag();
   settings.pass =
     numbers.Of({ RayPass::Whole, RayPass::Upscaled, RayPass::Averaged, RayPass::Accumulated,

@@ -30,6 +30,8 @@ std::vector<RenderSettings> RecipesOfPictures()
   {
     recipes.push_back({ Blend::Composite, acceleration });
     recipes.back().limitsSpan = true;
+    recipes.back().triesRays = true;
+    recipes.back().sceneGeometry = acceleration == Acceleration::Off;
     recipes.back().jitter = true;
     recipes.back().windowLevel = true;
   }

@@ -31,7 +31,7 @@ Parts Changed(const RenderSettings& settings)
 TEST(ShaderRecipe, PlainCompositeTakesNothingItDoesNotNeed)
 {
   EXPECT_EQ(FragmentShaderParts(plain),
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Pixel/OfImage.glsl",
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
       "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
       "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
@@ -81,6 +81,9 @@ TEST(ShaderRecipe, EachChoiceChangesItsOwnSlotsOnly)
 
 TEST(ShaderRecipe, EachChoiceOfThePictureChangesItsOwnSlotOnly)
 {
+  RenderSettings tried = plain;
+  tried.triesRays = true;
+  EXPECT_EQ(Changed(tried), Parts{ "Pixel/OfTrials.glsl" });
   RenderSettings jittered = plain;
   jittered.jitter = true;
   EXPECT_EQ(Changed(jittered), Parts{ "Jitter/BlueNoise.glsl" });
@@ -237,7 +240,7 @@ TEST(ShaderRecipe, MaximumIntensityHasNothingToShade)
 {
   const RenderSettings maximum{ Blend::MaximumIntensity, Acceleration::Off, true, false };
   EXPECT_EQ(FragmentShaderParts(maximum),
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Pixel/OfImage.glsl",
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Spacing/Even.glsl",
       "Filter/OfDevice.glsl", "Difference/AsFiltered.glsl", "Interpolation/Linear.glsl",
       "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Step/Fixed.glsl",
@@ -283,7 +286,7 @@ TEST(ShaderRecipe, VolumesThatOverlapTakeTheirOwnFilesAndOneMarch)
   settings.others = { lit };
   const Parts parts = FragmentShaderParts(settings);
   EXPECT_EQ(parts,
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Pixel/OfImage.glsl",
       "Depth/None.glsl", "Clip/None.glsl", "Jitter/None.glsl", "Blend/Composite.glsl",
       "Volumes/None.glsl",
       // The lit volume.
@@ -308,7 +311,7 @@ TEST(ShaderRecipe, ThePictureOfBlocksIsMadeWithoutAMarch)
   RenderSettings settings{ Blend::Composite, Acceleration::OpticalField, true, false };
   settings.pass = RayPass::Picture;
   EXPECT_EQ(FragmentShaderParts(settings),
-    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "RayPixel.glsl",
+    (Parts{ "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl", "Pixel/OfImage.glsl",
       "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl", "Depth/None.glsl",
       "Clip/None.glsl", "Blend/Composite.glsl", "Window/None.glsl", "Resume/Picture.glsl",
       "Span/None.glsl", "RayMarch.frag.glsl" }));

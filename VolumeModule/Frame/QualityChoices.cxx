@@ -91,6 +91,7 @@ void ChooseQuality(
 {
   QualityRequest& quality = frame.quality;
   quality.budget = BudgetOf(mapper, numbers, frame);
+  frame.settings.triesRays = quality.budget.StepTolerance() > 0.0;
   quality.choosesIntegration =
     mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
     frame.settings.blend == Blend::Composite && IsSampled(frame.settings) &&

@@ -35,6 +35,9 @@ struct ShadowMarch
   bool isNear;     // true for a ray of a few segments, which does not look for invisible bricks
 };
 
+// --- Pixel: the place of the ray in its image, from the lower left corner [pixels] ---
+vec2 RayPixel();
+
 // --- Depth: opaque geometry ends rays ---
 // The t at which geometry that is already drawn ends the ray of this pixel [mm]; without any, a
 // value beyond every exit.

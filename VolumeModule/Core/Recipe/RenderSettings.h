@@ -192,6 +192,7 @@ struct RenderSettings
   int componentCount = 1;       ///< number of the volume's components
   bool gradientOpacity = false; ///< opacity depends on the gradient; composite only
   bool storedGradients = false; ///< gradients are in a texture; one component only
+  bool triesRays = false;       ///< trial images of some of the rays find the steps
   bool jitter = false;          ///< rays begin with a fraction of a step
   bool windowLevel = false;     ///< colours of the image are scaled
   bool limitsSpan =

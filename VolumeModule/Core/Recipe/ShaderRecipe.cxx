@@ -57,13 +57,17 @@ std::string ProbeFile(const RenderSettings& settings)
 }
 
 using Parts = std::vector<std::string>;
-const Parts PartsOfRays = { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl",
-  "RayPixel.glsl" };
 const Parts PartsOfVolume = { "VolumeParameters.glsl", "VolumeTextures.glsl", "VolumeSlots.glsl" };
 
-Parts PartsOfRaysAndVolume()
+Parts PartsOfRays(const RenderSettings& settings)
 {
-  Parts parts = PartsOfRays;
+  return { "RayParameters.glsl", "RayTextures.glsl", "Slots.glsl",
+    settings.triesRays ? "Pixel/OfTrials.glsl" : "Pixel/OfImage.glsl" };
+}
+
+Parts PartsOfRaysAndVolume(const RenderSettings& settings)
+{
+  Parts parts = PartsOfRays(settings);
   parts.insert(parts.end(), PartsOfVolume.begin(), PartsOfVolume.end());
   return parts;
 }
@@ -71,7 +75,7 @@ Parts PartsOfRaysAndVolume()
 // A shader without a march: it finds the ray of each pixel and computes the pixel.
 std::vector<std::string> PictureParts(const RenderSettings& settings)
 {
-  Parts parts = PartsOfRaysAndVolume();
+  Parts parts = PartsOfRaysAndVolume(settings);
   parts.insert(parts.end(), { DepthFile(settings), ClipFile(settings) });
   if (IsProjection(settings.blend))
   {
@@ -91,7 +95,7 @@ std::vector<std::string> ResampledParts(const RenderSettings& settings)
   {
     return { "RayParameters.glsl", "RayTextures.glsl", "Mean.frag.glsl" };
   }
-  Parts parts = PartsOfRaysAndVolume();
+  Parts parts = PartsOfRaysAndVolume(settings);
   parts.insert(parts.end(), { DepthFile(settings), ClipFile(settings) });
   parts.insert(
     parts.end(), { ResumeFile(settings.pass), SpanFile(settings), "RayMarch.frag.glsl" });
@@ -205,7 +209,7 @@ static std::vector<std::string> PartsOfOne(const RenderSettings& settings)
 
 static std::vector<std::string> PartsOfSeveral(const RenderSettings& settings)
 {
-  Parts parts = PartsOfRays;
+  Parts parts = PartsOfRays(settings);
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   add({ DepthFile(settings), ClipFile(settings), JitterFile(settings), BlendFile(settings),
@@ -252,7 +256,7 @@ std::vector<std::string> FragmentShaderParts(const RenderSettings& settings)
   {
     return PartsOfSeveral(settings);
   }
-  Parts parts = PartsOfRaysAndVolume();
+  Parts parts = PartsOfRaysAndVolume(settings);
   const auto add = [&](const std::vector<std::string>& more)
   { parts.insert(parts.end(), more.begin(), more.end()); };
   add(VoxelParts(settings));

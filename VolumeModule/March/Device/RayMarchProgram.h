@@ -35,7 +35,7 @@ public:
 
   /// Uploads the parameters of the rays, and activates the textures that the program reads.
   void SetRays(const RayParameters& parameters, const RayTextures& textures);
-  /// Sets which pixels have rays: see Shaders/RayPixel.glsl.
+  /// Sets which pixels have rays: see Shaders/Pixel/OfTrials.glsl.
   void SetRayPixels(const MarchPlan& plan);
 
   /// Does the same for one of the volumes of the program.

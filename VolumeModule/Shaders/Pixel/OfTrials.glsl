@@ -1,5 +1,5 @@
 #include "Math/TrialPixel.glsl"
-// The place of the ray in its image, from the lower left corner [pixels].
+// Images of all pixels, and trial images, which have rays of some.
 
 uniform ivec2 trialRays;   // columns and rows of a trial image; 0: all pixels have rays
 uniform ivec2 imagePixels; // size of the image
