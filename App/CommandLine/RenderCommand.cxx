@@ -199,13 +199,13 @@ void RunRender(const RenderArguments& arguments)
   view.Pipeline().SetOverlays(scene.overlays, overlays);
   auto* const ours = LimitedMapper(view, arguments.graphicsMegabytes);
   const double seconds = view.RenderAll([&](double now) { TellOfLevel(ours, now); });
-  TellOfLook(scene, view);
   std::vector<double> repeatSeconds;
   for (int i = 0; i < arguments.repeats; ++i)
   {
     repeatSeconds.push_back(view.Render());
   }
   ThrowIfVtkReportedError();
+  TellOfLook(scene, view);
   WritePicture(view.Bytes(), { scene.render, arguments.renderer, {}, {}, volume.isPreview },
     arguments.outputPath);
 
