@@ -119,7 +119,8 @@ TEST(ColoredVoxels, HaveAlphaOrElseLuminance)
   known.holdsColors = true;
   KeepFacts(known, rgb);
   ASSERT_TRUE(HoldsColors(rgb));
-  vtkDataArray* const colored = ColoredVoxels(rgb)->GetPointData()->GetScalars();
+  const auto image = ColoredVoxels(rgb);
+  vtkDataArray* const colored = image->GetPointData()->GetScalars();
   ASSERT_EQ(colored->GetNumberOfComponents(), 4);
   // The largest number, 297, is the blue of voxel 99.
   EXPECT_EQ(colored->GetComponent(99, 2), 255.0);
@@ -131,6 +132,7 @@ TEST(ColoredVoxels, HaveAlphaOrElseLuminance)
   scalars->SetComponent(5, 3, 77.0);
   EXPECT_EQ(ColoredVoxels(rgba)->GetPointData()->GetScalars()->GetComponent(5, 3), 77.0);
   scalars->FillComponent(3, 255.0);
+  scalars->Modified();
   EXPECT_LT(ColoredVoxels(rgba)->GetPointData()->GetScalars()->GetComponent(0, 3), 255.0);
   const auto channels = Cube(100.0, VTK_UNSIGNED_CHAR, 2);
   EXPECT_EQ(ColoredVoxels(channels), channels);

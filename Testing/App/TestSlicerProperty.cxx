@@ -60,7 +60,8 @@ TEST(SlicerProperty, KeepsEveryCtPreset)
     Look look = BuiltInPreset(name).look;
     const Look back = LookFromSlicerText(SlicerText(look, Context), name + ".vp", Context);
     look.description.clear();
-    look.domain = Domain::Data; // a file of Slicer names no unit
+    look.domain = Domain::Data; // a file of Slicer names no unit of values
+    look.lengths = Lengths::Millimetres;
     EXPECT_EQ(LookText(back), LookText(look));
   }
 }
@@ -81,6 +82,7 @@ TEST(SlicerProperty, KeepsLooksInJson)
   Look look = BuiltInPreset("ct-bone").look;
   look.description.clear();
   look.domain = Domain::Data;
+  look.lengths = Lengths::Millimetres;
   look.gradientOpacities = { { 3.0, 0.25, { 0.25, 0.5 } }, { 40.0, 1.0 } };
   look.opacities[1].shape = { 0.25, 0.75 };
   look.colors[1].shape = { 0.75, 0.5 };

@@ -61,11 +61,13 @@ def presets_draw_the_same_picture_at_any_scale(_folder):
     hounsfield = values.astype(numpy.int16) - 1000
     for preset in varimarch.presets():
         given = hounsfield if preset.startswith("ct") else values
-        expected = varimarch.render(given, spacing=[200 / 48] * 3, preset=preset, **SMALL)
+        look = {**SMALL, "preset": preset}
+        look["background"] = "white" if preset == "pet-maximum" else "black"
+        expected = varimarch.render(given, spacing=[200 / 48] * 3, **look)
         background = expected[0, 0].astype(int)
         assert abs(expected - background).max() > 60, preset
         for spacing in (2e-7, 2e-4, 1e-2, 1e3):
-            picture = varimarch.render(given, spacing=[spacing] * 3, preset=preset, **SMALL)
+            picture = varimarch.render(given, spacing=[spacing] * 3, **look)
             difference = abs(picture.astype(int) - expected)
             assert difference.max() <= 6, (preset, spacing, difference.max())
 
@@ -99,11 +101,11 @@ def colours_are_drawn_in_their_colours(_folder):
         image = varimarch.to_image(values)
         for component, name in enumerate(("Red", "Green", "Blue")):
             image.GetPointData().GetScalars().SetComponentName(component, name)
-        for preset in ("mr-head", "mr-t2", "pet-hot"):
+        for preset in ("mr-head", "mr-t2"):
             picture = varimarch.render(image, preset=preset, view="anterior", shade=False, **SMALL)
             for component, pixel in enumerate(colours_at_blobs(picture)):
                 others = [pixel[other] for other in range(3) if other != component]
-                assert pixel[component] > 60 and max(others) < 0.5 * pixel[component], (preset, pixel)
+                assert pixel[component] > 40 and max(others) < 0.5 * pixel[component], (preset, pixel)
 
 
 def alpha_is_the_opacity_of_colours(_folder):
@@ -157,7 +159,7 @@ def warning_of(volume, **arguments):
 def pictures_of_nothing_say_why(_folder):
     values = ball(24)
     for reason, arguments in (
-        ("the opacity is 0 at all values of the volume, 0 to 2000, and above 0 only above 4000",
+        (f"is 0 at all values of the volume, 0 to {values.max()}, and above 0 only above 4000",
          {"opacity": [(4000, 0), (5000, 1)]}),
         ("only", {"opacity": [(0, 0), (2000, 0.001)], "opacity_unit_distance": 1e6}),
         ("outside of the view", {"clipping_range": (1e-3, 2e-3)}),
@@ -176,7 +178,7 @@ def pictures_with_anything_in_them_say_nothing(_folder):
     values = numpy.zeros((24, 24, 24), numpy.uint8)
     values[-1, 0, 0] = 200
     assert not warning_of(values, opacity=[(0, 0), (200, 1)], color="white", shade=False)
-    assert not warning_of(values, background="white", preset="mr-maximum")
+    assert not warning_of(values, background="white", preset="pet-maximum")
 
 
 if __name__ == "__main__":

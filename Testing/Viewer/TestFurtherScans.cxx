@@ -313,7 +313,7 @@ TEST_F(FurtherScans, LeaveADroppedSegmentationToTheScanWithItsGrid)
   WriteSegments(labels, labels.segments, {}, file.toStdString());
   this->AddPetOfFile();
   ASSERT_EQ(this->Model()->EditedVolume(), 1);
-  this->Drop(file);
+  this->Drop({ file });
   EXPECT_TRUE(QTest::qWaitFor(
     [&] { return this->Model()->CurrentScene().labels.has_value(); }, MostMilliseconds));
   EXPECT_FALSE(this->Model()->CurrentScene().overlays[0].labels);

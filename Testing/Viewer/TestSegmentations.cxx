@@ -143,7 +143,7 @@ TEST_F(Segmentations, AreDrawnInTheirColoursUntilTheyAreHidden)
 {
   this->OpenTorso();
   EXPECT_EQ(this->GreenPixels(), 0);
-  this->Drop(this->WriteSegmentation());
+  this->Drop({ this->WriteSegmentation() });
   ASSERT_TRUE(this->AwaitSegments(2));
   EXPECT_EQ(this->Model()->CurrentScene().labels->segments[0].name, "lower half");
   EXPECT_TRUE(this->IsGreenSoon());
@@ -155,14 +155,14 @@ TEST_F(Segmentations, AreDrawnInTheirColoursUntilTheyAreHidden)
 TEST_F(Segmentations, AreAskedForWhenTheFileDoesNotSayThatItsValuesAreLabels)
 {
   this->OpenTorso();
-  this->Drop(this->WriteLabels("labels.nrrd"));
+  this->Drop({ this->WriteLabels("labels.nrrd") });
   const QPointer<QMessageBox> first = this->AwaitQuestion("possibleSegmentation");
   ASSERT_TRUE(first);
   EXPECT_TRUE(first->text().contains("has 2 different"));
   Press(first, "Show as segments");
   ASSERT_TRUE(this->AwaitSegments(2));
 
-  this->Drop(this->Path("labels.nrrd"));
+  this->Drop({ this->Path("labels.nrrd") });
   delete first.data();
   QMessageBox* const second = this->AwaitQuestion("possibleSegmentation");
   ASSERT_TRUE(second);
@@ -175,7 +175,7 @@ TEST_F(Segmentations, AreNotAskedForWhenAScanIsDropped)
 {
   this->OpenTorso();
   const auto before = this->Model()->CurrentStudy();
-  this->Drop(this->Path("torso.vti"));
+  this->Drop({ this->Path("torso.vti") });
   ASSERT_TRUE(
     QTest::qWaitFor([&] { return this->Model()->CurrentStudy() != before; }, MostMilliseconds));
   EXPECT_FALSE(this->window.findChild<QMessageBox*>("possibleSegmentation"));
@@ -202,7 +202,7 @@ TEST_F(Segmentations, OfAnotherPlaceAreRefusedInASentence)
 TEST_F(Segmentations, AreSavedInSessionsWithTheirChanges)
 {
   this->OpenTorso();
-  this->Drop(this->WriteSegmentation());
+  this->Drop({ this->WriteSegmentation() });
   ASSERT_TRUE(this->AwaitSegments(2));
   this->Model()->Edit(ScenePart::Segments, "change",
     [](Scene& scene)

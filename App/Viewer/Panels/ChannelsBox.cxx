@@ -74,6 +74,7 @@ ChannelsBox::Row ChannelsBox::MakeRow(std::size_t channel)
   const QString number = QString::number(channel + 1);
   row.visible->setObjectName("channelVisible" + number);
   row.visible->setToolTip(tr("Draws the channel"));
+  row.visible->setAccessibleName(tr("Channel %1").arg(number));
   row.color->setObjectName("channelColor" + number);
   row.color->setToolTip(tr("Colour of the channel"));
   row.color->setAccessibleName(tr("Colour of channel %1").arg(number));
