@@ -19,19 +19,19 @@ using namespace varimarch;
 namespace
 {
 
-constexpr int Side = 40;
+constexpr int ImageSide = 40;
 
 // An image of 40 x 40 pixels of 1 mm around the world's origin, all 100.
 vtkSmartPointer<vtkImageData> ImageWithAxes(const glm::dmat3& axes)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(Side, Side, 1);
-  const glm::dvec3 origin = -0.5 * (Side - 1) * (axes[0] + axes[1]);
+  image->SetDimensions(ImageSide, ImageSide, 1);
+  const glm::dvec3 origin = -0.5 * (ImageSide - 1) * (axes[0] + axes[1]);
   image->SetOrigin(origin.x, origin.y, origin.z);
   const glm::dmat3 rows = glm::transpose(axes);
   image->SetDirectionMatrix(&rows[0][0]);
   image->AllocateScalars(VTK_SHORT, 1);
-  std::fill_n(static_cast<short*>(image->GetScalarPointer()), Side * Side, short(100));
+  std::fill_n(static_cast<short*>(image->GetScalarPointer()), ImageSide * ImageSide, short(100));
   return image;
 }
 

@@ -130,8 +130,7 @@ TEST(VolumesInLight, OneOfThemInBoxesKeepTheErrorTolerance)
   ExpectWithin(balls.DrawnByPackets(), TruthInLight(balls.scene, light, 1e-3));
 }
 
-// Rays of the eye go from face to face, and the light from all around is that of whole boxes, but
-// lamps are sampled.
+// Rays of the eye go from face to face, but their light is sampled or that of lattices.
 TEST(VolumesInLight, AllInBoxesKeepTheErrorTolerance)
 {
   LitBalls balls(8, { true, true, true, true });
@@ -142,7 +141,7 @@ TEST(VolumesInLight, AllInBoxesKeepTheErrorTolerance)
     light.occlusion = occlusion;
     UseLight(balls.scene, light);
     ExpectWithin(balls.DrawnByPackets(), TruthInLight(balls.scene, light, 1e-3));
-    EXPECT_EQ(MapperOf(balls.scene)->GetToleranceSearches() > 0, hasShadows);
+    EXPECT_GT(MapperOf(balls.scene)->GetToleranceSearches(), 0);
   }
 }
 

@@ -49,6 +49,10 @@ struct RegressionCase
   std::string refusal = {};
 };
 
+/// The refusal of shaders without a graphics card.
+constexpr const char* TooManySegments =
+  "without a graphics card OpenGL ends the short segments of rays to lights";
+
 /// All pictures, by sections of Documentation/FeatureTable.md.
 std::vector<RegressionCase> InputCases();
 std::vector<RegressionCase> BlendCases();

@@ -179,8 +179,8 @@ RegressionScene ShadowBehindGlass()
 std::vector<RegressionCase> ShadowCases()
 {
   return {
-    { "ShadowOfGeometry", ShadowOfGeometry },
-    { "ShadowOnGeometry", ShadowOnGeometry },
-    { "ShadowBehindGlass", ShadowBehindGlass },
+    { "ShadowOfGeometry", ShadowOfGeometry, 5.0, TooManySegments },
+    { "ShadowOnGeometry", ShadowOnGeometry, 5.0, TooManySegments },
+    { "ShadowBehindGlass", ShadowBehindGlass, 5.0, TooManySegments },
   };
 }
