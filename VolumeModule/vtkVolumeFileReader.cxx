@@ -287,6 +287,11 @@ const char* vtkVolumeFileReader::GetDICOMKindName(int kind)
   return isKnown ? kinds[std::size_t(kind) - 1].c_str() : "";
 }
 
+bool vtkVolumeFileReader::IsInverted()
+{
+  return this->Read->Volume.isInverted;
+}
+
 bool vtkVolumeFileReader::HasVoxelsOnDisk()
 {
   return this->Read->AreOnDisk;

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace varimarch
@@ -31,8 +32,9 @@ using Counts = std::vector<std::int64_t>;
 constexpr double MostBins = 65536.0;
 
 // vtkImageHistogram is no alternative: it writes outside its bins if a whole slab is infinite.
-Counts Count(
-  vtkDataArray* scalars, int component, double smallest, double binSpacing, std::size_t bins)
+// Values below `lowest` are left out.
+Counts Count(vtkDataArray* scalars, int component, double smallest, double binSpacing,
+  std::size_t bins, double lowest)
 {
   tbb::combinable<Counts> countsOfThreads([bins] { return Counts(bins, 0); });
   const auto countArray = [&](auto* array)
@@ -44,7 +46,12 @@ Counts Count(
         Counts& counts = countsOfThreads.local();
         for (vtkIdType i = range.begin(); i != range.end(); ++i)
         {
-          const double bin = (double(tuples[i][component]) - smallest) / binSpacing + 0.5;
+          const double value = double(tuples[i][component]);
+          if (value < lowest)
+          {
+            continue;
+          }
+          const double bin = (value - smallest) / binSpacing + 0.5;
           // The comparison is false for NaN, which therefore falls into the first bin.
           ++counts[bin > 0.0 ? std::size_t(std::min(bin, double(bins - 1))) : 0];
         }
@@ -88,7 +95,8 @@ ImageStatistics::ImageStatistics(vtkImageData* image, int component)
   }
   double range[2];
   scalars->GetFiniteRange(range, component);
-  this->smallest = range[0];
+  const double lowest = LowestInside(image).value_or(-std::numeric_limits<double>::infinity());
+  this->smallest = lowest <= range[1] ? std::max(lowest, range[0]) : range[0];
   this->largest = range[1];
 
   // Integers get one bin each if their range is small enough. A bin is centred on its value.
@@ -98,7 +106,8 @@ ImageStatistics::ImageStatistics(vtkImageData* image, int component)
   const double bins = oneByOne ? width + 1.0 : width > 0.0 ? MostBins : 1.0;
   this->binSpacing = bins > 1.0 ? width / (bins - 1.0) : 1.0;
 
-  this->counts = Count(scalars, component, this->smallest, this->binSpacing, std::size_t(bins));
+  this->counts =
+    Count(scalars, component, this->smallest, this->binSpacing, std::size_t(bins), lowest);
 }
 
 void ImageStatistics::Add(const ImageStatistics& other)

@@ -18,7 +18,7 @@ public:
   /// Counts the values of the first component, or the alpha of colours, see ColoredVoxels. Integers
   /// within a range of 65536 are counted one by one, other numbers in 65536 equal bins over their
   /// finite range. Infinite values count as the smallest or largest finite one, NaN as the
-  /// smallest.
+  /// smallest. Padding below the image, see LowestInside(), is not counted.
   explicit ImageStatistics(vtkImageData* image);
 
   /// The factor of relative lengths, see LengthScale.h.

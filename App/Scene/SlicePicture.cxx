@@ -38,7 +38,7 @@ std::array<double, 2> AutomaticWindow(const LoadedVolume& volume, const ImageSta
 SliceGrays SuggestedGrays(const LoadedVolume& volume, const ImageStatistics& statistics)
 {
   return { volume.windowLevel ? *volume.windowLevel : AutomaticWindow(volume, statistics),
-    IsPet(volume) };
+    IsPet(volume) || volume.isInverted };
 }
 
 std::vector<std::uint8_t> SlicePicture(vtkImageData* image, const SliceRequest& request)

@@ -43,7 +43,7 @@ std::array<double, 2> AutomaticWindow(
   const LoadedVolume& volume, const ImageStatistics& statistics);
 
 /// The grey scale that suits a volume: window and level of its file, otherwise of its histogram.
-/// PET is inverted, as is usual: the more tracer, the darker.
+/// Inverted are images whose file says so, and PET, as is usual: the more tracer, the darker.
 SliceGrays SuggestedGrays(const LoadedVolume& volume, const ImageStatistics& statistics);
 
 /// Grey pixels, row by row from the upper left. Voxels are interpolated linearly; outside the

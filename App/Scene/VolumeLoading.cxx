@@ -151,6 +151,7 @@ LoadedVolume VolumeOf(QuietReader& reader)
   {
     volume.windowLevel = { reader->GetWindow(), reader->GetLevel() };
   }
+  volume.isInverted = reader->IsInverted();
   if (reader->HasIrregularSlices())
   {
     volume.slices = reader->HasRectifiedSlices() ? SliceLayout::Rectified : SliceLayout::Irregular;

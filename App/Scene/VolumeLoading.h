@@ -47,6 +47,7 @@ struct LoadedVolume
   /// Width and middle of the range of values that the file recommends for slices; empty if it
   /// recommends none.
   std::optional<std::array<double, 2>> windowLevel = {};
+  bool isInverted = false; ///< true if slices are meant with their smallest values white
   /// All segments if the values are labels: those that the file describes, and the other values.
   /// Otherwise empty.
   std::vector<Segment> segments = {};

@@ -7,7 +7,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <glm/common.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -20,6 +19,7 @@ namespace
 {
 
 constexpr const char* PatientFact = "ShowsPatient";
+constexpr const char* LowestFact = "LowestInside";
 constexpr const char* ColorsFact = "ChannelColors";
 
 constexpr const char* Alpha = "Alpha";
@@ -39,6 +39,21 @@ std::string NameOf(vtkDataArray* scalars, int component)
 {
   const char* const name = scalars->GetComponentName(component);
   return name ? name : "";
+}
+
+void KeepNumber(const char* name, double number, vtkImageData* image)
+{
+  vtkNew<vtkDoubleArray> fact;
+  fact->SetName(name);
+  fact->InsertNextValue(number);
+  image->GetFieldData()->AddArray(fact);
+}
+
+std::optional<double> NumberOf(vtkImageData* image, const char* name)
+{
+  vtkDataArray* const fact = image->GetFieldData()->GetArray(name);
+  return fact && fact->GetNumberOfValues() > 0 ? std::optional<double>(fact->GetComponent(0, 0))
+                                               : std::nullopt;
 }
 
 /// The colours of the channels; null if the image has none.
@@ -80,10 +95,11 @@ void KeepFacts(const Volume& volume, vtkImageData* image)
 {
   if (volume.showsPatient)
   {
-    vtkNew<vtkUnsignedCharArray> fact;
-    fact->SetName(PatientFact);
-    fact->InsertNextValue(1);
-    image->GetFieldData()->AddArray(fact);
+    KeepNumber(PatientFact, 1.0, image);
+  }
+  if (volume.lowestInside)
+  {
+    KeepNumber(LowestFact, *volume.lowestInside, image);
   }
   const int componentCount = image->GetNumberOfScalarComponents();
   if (volume.holdsColors && componentCount > 1)
@@ -102,8 +118,12 @@ void KeepFacts(const Volume& volume, vtkImageData* image)
 
 bool ShowsPatient(vtkImageData* image)
 {
-  vtkDataArray* const fact = image->GetFieldData()->GetArray(PatientFact);
-  return fact && fact->GetNumberOfValues() > 0 && fact->GetComponent(0, 0) != 0.0;
+  return NumberOf(image, PatientFact).value_or(0.0) != 0.0;
+}
+
+std::optional<double> LowestInside(vtkImageData* image)
+{
+  return NumberOf(image, LowestFact);
 }
 
 bool HoldsColors(vtkImageData* image)

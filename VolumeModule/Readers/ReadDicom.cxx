@@ -34,11 +34,11 @@ void TakeMetadata(const DicomFrame& slice, Volume& volume)
     volume.warnings.push_back(
       "Standardized uptake values are unknown: " + metadata.uptakeDoubt + ".");
   }
-  if (slice.file->colours == "MONOCHROME1" ||
-    (slice.file->colours == "PALETTE COLOR" && slice.file->palette.entries.empty()))
+  volume.isInverted = metadata.isInverted;
+  if (slice.file->colours == "PALETTE COLOR" && slice.file->palette.entries.empty())
   {
-    volume.warnings.push_back("The photometric interpretation is " + slice.file->colours +
-      ", which is not converted to brightness.");
+    volume.warnings.push_back(
+      "The photometric interpretation is PALETTE COLOR, which is not converted to brightness.");
   }
 }
 
@@ -130,7 +130,7 @@ Volume ReadSlices(const std::string& path, const DicomSeries& series, const Read
   WarnOfFaults(stored.faults, volume.warnings);
   const std::vector<DicomFrame>& frames = stored.slices.frames;
   volume.image = Rescaled(path, stored.image, RescalesOf(frames));
-  SetPaddingToLowest(frames, volume.image, volume.warnings);
+  volume.lowestInside = SetPaddingToLowest(frames, volume.image, volume.warnings);
   const DicomStack stack(stored.slices);
   PlaceImage(path, stack.Geometry(), volume.image);
   volume.irregularSlicesMm = stack.IrregularSlicesMm();

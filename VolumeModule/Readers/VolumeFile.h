@@ -56,7 +56,9 @@ struct Volume
   bool hasContrastAgent = false;
   std::string weighting; ///< for MR: "T1", "T2", "angiography", or empty
   std::optional<WindowLevel> windowLevel;
-  std::vector<std::string> warnings; ///< sentences about doubtful input
+  std::optional<double> lowestInside; ///< the lowest value of the image if padding lies below it
+  bool isInverted = false;            ///< true if slices are meant with their smallest values white
+  std::vector<std::string> warnings;  ///< sentences about doubtful input
   /// Positions of the first voxels of the scanned slices [LPS, mm], in order along the normal, if
   /// the slices were tilted or are unevenly spaced; otherwise empty.
   std::vector<glm::dvec3> irregularSlicesMm;

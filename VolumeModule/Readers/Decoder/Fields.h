@@ -94,7 +94,7 @@ template <class Wire>
 void Fields(Wire& wire, Volume& volume)
 {
   wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
-    volume.windowLevel, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
+    volume.windowLevel, volume.lowestInside, volume.isInverted, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
     volume.isRectified, volume.segments, volume.uptakeValueFactor, volume.frameOfReference,
     volume.times, volume.showsPatient, volume.holdsColors, volume.channels, volume.kinds);
 }
@@ -191,7 +191,7 @@ template <class Wire>
 void Fields(Wire& wire, DicomMetadata& metadata)
 {
   wire(metadata.modality, metadata.bodyPart, metadata.hasContrastAgent, metadata.weighting,
-    metadata.windowLevel, metadata.uptakeValueFactor, metadata.uptakeDoubt);
+    metadata.windowLevel, metadata.isInverted, metadata.uptakeValueFactor, metadata.uptakeDoubt);
 }
 
 template <class Wire>

@@ -57,6 +57,8 @@ DicomMetadata MetadataOf(const std::string& path, int frame)
   {
     metadata.windowLevel = { window, attributes.NumberOr(DC::WindowCenter, 0.0) };
   }
+  metadata.isInverted = attributes.Text(DC::PhotometricInterpretation) == "MONOCHROME1" ||
+    attributes.Text(DC::PresentationLUTShape) == "INVERSE";
   return metadata;
 }
 

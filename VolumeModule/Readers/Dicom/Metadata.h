@@ -18,6 +18,7 @@ struct DicomMetadata
   bool hasContrastAgent = false;
   std::string weighting;
   std::optional<WindowLevel> windowLevel;
+  bool isInverted = false;
   std::optional<double> uptakeValueFactor;
   std::string uptakeDoubt; ///< the reason why a PET image has no factor; see UptakeValue
 };

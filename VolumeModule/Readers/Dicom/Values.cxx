@@ -137,9 +137,10 @@ std::array<double, 2> PaddingRange(const DicomFrame& frame)
   return range;
 }
 
-/// The extremes of the values that are not padding, and the highest one that is.
+/// The extremes of the values that are padding, and of the others.
 struct PaddingExtremes
 {
+  double lowestPadding = std::numeric_limits<double>::infinity();
   double lowestOther = std::numeric_limits<double>::infinity();
   double highestOther = -std::numeric_limits<double>::infinity();
   double highestPadding = -std::numeric_limits<double>::infinity();
@@ -170,12 +171,13 @@ public:
           {
             double& highest = isPadding ? here.highestPadding : here.highestOther;
             highest = std::max(highest, double(value));
-            here.lowestOther =
-              isPadding ? here.lowestOther : std::min(here.lowestOther, double(value));
+            double& lowest = isPadding ? here.lowestPadding : here.lowestOther;
+            lowest = std::min(lowest, double(value));
           });
         const std::lock_guard<std::mutex> lock(mutex);
         all.highestPadding = std::max(all.highestPadding, here.highestPadding);
         all.highestOther = std::max(all.highestOther, here.highestOther);
+        all.lowestPadding = std::min(all.lowestPadding, here.lowestPadding);
         all.lowestOther = std::min(all.lowestOther, here.lowestOther);
       });
     return all;
@@ -227,7 +229,7 @@ std::string RoundedText(double number)
 }
 
 template <class Value>
-void SetToLowest(PaddedVoxels<Value> voxels, std::vector<std::string>& warnings)
+std::optional<double> SetToLowest(PaddedVoxels<Value> voxels, std::vector<std::string>& warnings)
 {
   const PaddingExtremes extremes = voxels.Extremes();
   const bool hasImage = extremes.lowestOther <= extremes.highestOther;
@@ -238,6 +240,8 @@ void SetToLowest(PaddedVoxels<Value> voxels, std::vector<std::string>& warnings)
       RoundedText(extremes.highestPadding) + ", were set to its lowest value, " +
       RoundedText(extremes.lowestOther) + ".");
   }
+  const bool isBelow = hasImage && extremes.lowestPadding < extremes.lowestOther;
+  return isBelow ? std::optional<double>(extremes.lowestOther) : std::nullopt;
 }
 
 }
@@ -287,20 +291,22 @@ std::vector<Rescale> RescalesOf(const std::vector<DicomFrame>& frames)
   return rescales;
 }
 
-void SetPaddingToLowest(
+std::optional<double> SetPaddingToLowest(
   const std::vector<DicomFrame>& frames, vtkImageData* image, std::vector<std::string>& warnings)
 {
   const bool isPadded = std::any_of(frames.begin(), frames.end(),
     [](const DicomFrame& frame) { return frame.padding.has_value(); });
   if (!isPadded || image->GetNumberOfScalarComponents() != 1)
   {
-    return;
+    return std::nullopt;
   }
+  std::optional<double> lowestInside;
   switch (image->GetScalarType())
   {
-    vtkTemplateMacro(SetToLowest(PaddedVoxels<VTK_TT>(frames, image), warnings));
+    vtkTemplateMacro(lowestInside = SetToLowest(PaddedVoxels<VTK_TT>(frames, image), warnings));
   }
   image->GetPointData()->GetScalars()->Modified(); // discards the cached range
+  return lowestInside;
 }
 
 }

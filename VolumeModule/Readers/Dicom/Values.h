@@ -5,6 +5,8 @@
 #include "Readers/Rescale.h"
 #include "Readers/VoxelLayout.h"
 
+#include <optional>
+
 class vtkImageData;
 
 namespace varimarch
@@ -26,7 +28,8 @@ std::vector<Rescale> RescalesOf(const std::vector<DicomFrame>& frames);
 /// lowest value of the image.
 /// @param image  rescaled values of the frames
 /// @param warnings  receives a sentence if there are such voxels
-void SetPaddingToLowest(
+/// @return the lowest value of the image if there is padding below it
+std::optional<double> SetPaddingToLowest(
   const std::vector<DicomFrame>& frames, vtkImageData* image, std::vector<std::string>& warnings);
 
 }

@@ -159,11 +159,7 @@ Volume ReadTiff(const std::string& path, const ReadOptions& options, ReadProgres
     volume.channels = NamedChannels(stack, std::size_t(first.layout.componentCount));
   }
   volume.warnings = stack.warnings;
-  if (first.isInverted)
-  {
-    volume.warnings.push_back(
-      "The file's largest values are black; they are not turned into brightness.");
-  }
+  volume.isInverted = first.isInverted;
   PlaceImage(path, StackGeometry(stack.spacingMm, isPlain ? first.orientation : 1, volume.warnings),
     volume.image);
   return volume;
