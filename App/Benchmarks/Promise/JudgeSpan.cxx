@@ -85,7 +85,9 @@ double JudgeVolume::ExtinctionAt(const JudgeSpan& span, const JudgeLook::Band& b
   double opacity = look.Opacity(band, ValueOf(span.value, u));
   if (look.HasGradientOpacity() && opacity > 0.0)
   {
-    opacity *= look.GradientFactor(this->MagnitudeOf(this->GradientAt(span, u)));
+    const double saturated = 0.25 * (this->mostValue - this->leastValue); // as in VTK
+    opacity *=
+      look.GradientFactor(std::min(this->MagnitudeOf(this->GradientAt(span, u)), saturated));
   }
   return look.Extinction(opacity, this->mostExtinction);
 }
