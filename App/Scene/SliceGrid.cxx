@@ -8,11 +8,6 @@
 namespace varimarch
 {
 
-namespace
-{
-
-}
-
 SliceGrid::SliceGrid(vtkImageData* image, const SliceRequest& request)
   : extent(image->GetExtent())
 {
@@ -35,9 +30,11 @@ glm::dvec3 SliceGrid::IndexAt(int column, int row) const
 
 bool IsWithin(const glm::dvec3& index, const int* extent)
 {
+  constexpr double Rounding = 1e-6; // a turned plane must not miss the one slice of an image
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!(index[axis] >= extent[2 * axis] && index[axis] <= extent[2 * axis + 1]))
+    if (!(index[axis] >= extent[2 * axis] - Rounding &&
+          index[axis] <= extent[2 * axis + 1] + Rounding))
     {
       return false;
     }
