@@ -181,6 +181,10 @@ Found ReadBeside(const std::string& path, const std::vector<std::shared_ptr<cons
   try
   {
     found.labelled = WithLabelsOnOne(scans, volume, path);
+    if (!areLabels && found.labelled->labels->segments.size() >= std::size_t(MostSegments))
+    {
+      found.labelled.reset(); // so many values are rather those of a scan
+    }
   }
   catch (const std::runtime_error&)
   {
