@@ -227,19 +227,17 @@ int vtkVolumeFileReader::RequestInformation(
   this->ReadFile(this->TimeIndex);
   vtkInformation* output = outputs->GetInformationObject(0);
   TellTimes(this->Read->Volume.times.values, output);
-  if (vtkImageData* image = this->Read->Volume.image)
+  vtkImageData* const image = this->Read->Volume.image;
+  const int empty[6] = { 0, -1, 0, -1, 0, -1 };
+  output->Set(
+    vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image ? image->GetExtent() : empty, 6);
+  if (image)
   {
-    output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
     output->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
     output->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
     output->Set(vtkDataObject::DIRECTION(), image->GetDirectionMatrix()->GetData(), 9);
     vtkDataObject::SetPointDataActiveScalarInfo(
       output, image->GetScalarType(), image->GetNumberOfScalarComponents());
-  }
-  else
-  {
-    const int empty[6] = { 0, -1, 0, -1, 0, -1 };
-    output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), empty, 6);
   }
   // Returns 1 after a failure too: with 0 the executive would add an error message of its own.
   return 1;

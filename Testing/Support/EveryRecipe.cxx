@@ -15,6 +15,23 @@ namespace
 constexpr Acceleration EveryAcceleration[] = { Acceleration::Off, Acceleration::CellField,
   Acceleration::VariationField, Acceleration::OpticalField };
 
+std::vector<RenderSettings> RecipesOfRays()
+{
+  std::vector<RenderSettings> recipes;
+  for (Acceleration acceleration : EveryAcceleration)
+  {
+    for (const bool sceneGeometry : { false, true })
+    {
+      recipes.push_back({ Blend::Composite, acceleration, false, sceneGeometry });
+      recipes.back().limitsSpan = true;
+      recipes.back().triesRays = true;
+      recipes.back().jitter = true;
+      recipes.back().windowLevel = true;
+    }
+  }
+  return recipes;
+}
+
 std::vector<RenderSettings> RecipesOfPictures()
 {
   std::vector<RenderSettings> recipes;
@@ -26,15 +43,8 @@ std::vector<RenderSettings> RecipesOfPictures()
       recipes.back().pass = pass;
     }
   }
-  for (Acceleration acceleration : EveryAcceleration)
-  {
-    recipes.push_back({ Blend::Composite, acceleration });
-    recipes.back().limitsSpan = true;
-    recipes.back().triesRays = true;
-    recipes.back().sceneGeometry = acceleration == Acceleration::Off;
-    recipes.back().jitter = true;
-    recipes.back().windowLevel = true;
-  }
+  const std::vector<RenderSettings> ofRays = RecipesOfRays();
+  recipes.insert(recipes.end(), ofRays.begin(), ofRays.end());
   recipes.emplace_back();
   recipes.back().pass = RayPass::Accumulated;
   for (bool windowLevel : { false, true })

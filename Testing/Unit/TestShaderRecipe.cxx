@@ -324,7 +324,7 @@ TEST(ShaderRecipe, EveryRecipeIsListedOnce)
   {
     EXPECT_TRUE(distinct.insert(FragmentShaderParts(settings)).second);
   }
-  EXPECT_EQ(distinct.size(), 290u);
+  EXPECT_EQ(distinct.size(), 294u);
 }
 
 TEST(ShaderRecipe, EveryRecipeFillsASlotAtMostOnce)

@@ -5,9 +5,13 @@ Usage: test_seen.py VARIMARCH_VIEWER CASE
 Exit code 77, with a sentence, where a package is missing.
 """
 
+import bz2
+import contextlib
 import json
 import os
 import pathlib
+import signal
+import subprocess
 import sys
 import time
 
@@ -122,8 +126,13 @@ def difference_needs_the_whole_scene(desk, program, folder):
 
 
 def corner_says_what_is_seen(desk, program, folder):
-    """While the view moves its pixels have no bound, so the corner has a short word instead."""
-    viewer = Viewer(program, desk, write_head(folder, 160))
+    """While the view moves its pixels have no bound, so the corner has a short word instead. With so
+    much light no machine draws a whole image in time."""
+    write_head(folder, 160)
+    scene = {"volume": {"file": "head.nrrd"}, "shadows": True, "occlusion": {"strength": 1},
+             "look": "ct-bone"}
+    (folder / "scene.json").write_text(json.dumps(scene))
+    viewer = Viewer(program, desk, folder / "scene.json")
     at_rest = wait_for(lambda: viewer.report_width() > 90 and viewer.report_width(), "the bound is told at rest")
     desk.do("mousemove", 280, 450, "mousedown", 1)
     widths = []
@@ -206,17 +215,30 @@ def recent_scans_are_legible(desk, program, folder):
     viewer.end()
 
 
+def decoder_of(viewer):
+    found = subprocess.run(["pgrep", "-P", str(viewer.process.pid), "varimarch-decod"],
+                           capture_output=True, text=True)
+    return int(found.stdout.split()[0]) if found.stdout else None
+
+
 def quitting_ends_at_once(desk, program, folder):
-    """A volume whose voxels never come is being read."""
-    os.mkfifo(folder / "voxels.raw")
-    (folder / "silent.mhd").write_text(
-        "ObjectType = Image\nNDims = 3\nDimSize = 64 64 64\nElementType = MET_UCHAR\n"
-        "ElementDataFile = voxels.raw\n")
-    viewer = Viewer(program, desk, folder / "silent.mhd")
-    time.sleep(3)
-    desk.do("key", "ctrl+q")
-    # A thread that waits for its file was given ten seconds before.
-    assert viewer.process.wait(timeout=8) == 0
+    """A scan is being read by a decoder that does not answer any more."""
+    header = ("ObjectType = Image\nNDims = 3\nDimSize = 800 800 800\nElementType = MET_UCHAR\n"
+              "ElementDataFile = LOCAL\n")
+    with bz2.open(folder / "scan.mha.bz2", "wb", compresslevel=1) as scan:
+        scan.write(header.encode())
+        for _ in range(800):
+            scan.write(bytes(800 * 800))
+    viewer = Viewer(program, desk, folder / "scan.mha.bz2")
+    decoder = wait_for(lambda: decoder_of(viewer), "the scan is being read")
+    os.kill(decoder, signal.SIGSTOP)
+    try:
+        desk.do("key", "ctrl+q")
+        # A thread that waits for its file was given ten seconds before.
+        assert viewer.process.wait(timeout=8) == 0
+    finally:
+        with contextlib.suppress(ProcessLookupError):  # it usually ends with the viewer
+            os.kill(decoder, signal.SIGKILL)
 
 
 def main():

@@ -2845,7 +2845,7 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     </message>
     <message>
         <source>&amp;Kinds of volume in the series</source>
-        <translation>&amp;Arten von Volumen in der Serie</translation>
+        <translation>Arten von Volumen in der Serie</translation>
     </message>
     <message>
         <source>Open fi&amp;les as times…</source>

@@ -2845,7 +2845,7 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     </message>
     <message>
         <source>&amp;Kinds of volume in the series</source>
-        <translation>&amp;Tipos de volumen de la serie</translation>
+        <translation>Tipos de volumen de la serie</translation>
     </message>
     <message>
         <source>Open fi&amp;les as times…</source>
