@@ -86,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Messages, SceneFileError,
     ErrorCase{ R"({ "volume": {}, "look": "ct-bone" })",
       "volume: expected the key \"file\" or \"procedural\", found neither" },
     ErrorCase{ R"({ "volume": { "file": "a.raw", "seed": 1 }, "look": "ct-bone" })",
-      "volume: unknown key \"seed\"; known: file, series, kind, rectified, level, channel, raw, memory, "
+      "volume: unknown key \"seed\"; known: file, series, kind, rectified, level, channel, raw, "
+      "memory, "
       "time, timeSeconds, filesAreTimes" },
     ErrorCase{ R"({ "volume": { "procedural": "torsoo" }, "look": "ct-bone" })",
       "volume.procedural: unknown value \"torsoo\"; did you mean \"torso\"?" },

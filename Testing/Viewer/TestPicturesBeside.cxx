@@ -358,10 +358,10 @@ TEST_F(PicturesBeside, AreMovingWhileTheUserTurnsTheView)
   QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);
   for (int x = 1; x <= 40; ++x)
   {
-    QTest::mouseMove(this->View(), middle + QPoint(4 * x, x));
+    QTest::mouseMove(this->View(), middle + QPoint(2 * x, x));
     QTest::qWait(10);
     told << this->View()->Report().section('\n', 1, 1);
   }
-  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(160, 40));
+  QTest::mouseRelease(this->View(), Qt::LeftButton, {}, middle + QPoint(80, 40));
   EXPECT_EQ(told.filter("moving").size(), told.size()) << told.join("; ").toStdString();
 }
