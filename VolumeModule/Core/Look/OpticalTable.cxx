@@ -23,8 +23,8 @@ namespace
 // lies between two entries.
 constexpr double EntriesPerNodeGap = 32.0;
 
-// The extinction of a ramp to opacity 1 grows without bound at its end. Where no entry lies at the
-// end, the next one is opaque, and with it all that is interpolated up to the entry before it.
+// The extinction of a ramp to opacity 1 grows without bound at its end: the entry there is opaque,
+// and with it all that is interpolated up to the entry before it.
 constexpr std::size_t EntriesOfOpaqueRamp = 8192;
 
 /// True if a function bends visibly between a node and a value one entry behind it.
@@ -82,17 +82,6 @@ struct TableSpan
   int EntriesBeside() const { return this->entriesBefore + this->entriesBehind; }
 };
 
-/// True if a function becomes opaque at a value without a step: it is opaque there and on one side,
-/// and the extinction on the other side grows towards it like a logarithm.
-bool IsOpaqueEndOfRamp(const TransferFunction& transferFunction, double value, double gap)
-{
-  constexpr double Near = 1e-6;
-  const auto isOpaque = [&](double at) { return std::isinf(transferFunction.Extinction(at)); };
-  const auto isAlmostOpaque = [&](double at) { return transferFunction.Opacity(at) > 1.0 - Near; };
-  return isOpaque(value) && isOpaque(value - gap) != isOpaque(value + gap) &&
-    isAlmostOpaque(value - Near * gap) && isAlmostOpaque(value + Near * gap);
-}
-
 /// The part of a range of values in which a function changes.
 TableSpan SpanOf(const TransferFunction& transferFunction, ValueRange values)
 {
@@ -114,16 +103,6 @@ TableSpan SpanOf(const TransferFunction& transferFunction, ValueRange values)
     {
       span.entriesBehind = 1;
     }
-  }
-  // The entry at the opaque end of a ramp is not, so that another one must be behind it.
-  const double gap = span.Length() / double(EntriesOfOpaqueRamp);
-  if (span.first > values.lower && IsOpaqueEndOfRamp(transferFunction, span.first, gap))
-  {
-    span.entriesBefore = 1;
-  }
-  if (span.last < values.upper && IsOpaqueEndOfRamp(transferFunction, span.last, gap))
-  {
-    span.entriesBehind = 1;
   }
   return span;
 }
@@ -216,32 +195,12 @@ bool IsOpaqueInPassing(const TransferFunction& transferFunction, double value, d
     !std::isinf(transferFunction.Extinction(value + gap));
 }
 
-/// The entry at the opaque end of a ramp: the mean under its hat function on the side that is not
-/// opaque. The next entry on the other side is opaque, so that all values beyond the end are too.
-glm::vec4 EntryAtOpaqueEnd(const TransferFunction& transferFunction, double value, double gap)
-{
-  constexpr int Points = 32;
-  const bool isLeft = std::isinf(transferFunction.Extinction(value + gap));
-  double extinction = 0.0;
-  for (int point = 0; point < Points; ++point)
-  {
-    const double part = (point + 0.5) / Points;
-    extinction += (1.0 - part) * 2.0 / Points *
-      OpticalEntry(transferFunction, value + (isLeft ? -part : part) * gap).a;
-  }
-  return glm::vec4(transferFunction.Color(value), extinction);
-}
-
 /// The entry at a value of a table whose entries are `gap` apart. If several nodes lie within one
 /// entry on either side, a sample would miss what is between them, and a sample at an opaque tip
 /// would be a wall. The entry is then the mean under its hat function, which preserves the
 /// integral.
 glm::vec4 EntryAt(const TransferFunction& transferFunction, double value, double gap)
 {
-  if (IsOpaqueEndOfRamp(transferFunction, value, gap))
-  {
-    return EntryAtOpaqueEnd(transferFunction, value, gap);
-  }
   std::vector<double> ends = OpacityNodesIn(transferFunction, value - gap, value + gap);
   if (ends.size() < 2 && !IsOpaqueInPassing(transferFunction, value, gap))
   {
