@@ -20,6 +20,21 @@ struct PageAxis
   std::int64_t size;
 };
 
+/// Makes components pages if they are an axis of another meaning. Before 2024 tifffile took arrays
+/// of three or four slices for colours in planes of their own, unless it was told otherwise.
+void SplitPlaces(const std::string& letters, const std::vector<double>& shape, TiffFile& file)
+{
+  const std::size_t count = letters.size();
+  const auto components = double(file.Pages().front().layout.componentCount);
+  const bool arePlaces = count >= 3 && shape.size() == count && components > 1.0 &&
+    letters.compare(count - 2, 2, "YX") == 0 && letters[count - 3] != 'S' &&
+    letters[count - 3] != 'C' && shape[count - 3] == components;
+  if (arePlaces)
+  {
+    file.SplitSamples();
+  }
+}
+
 /// The axes along which pages follow each other, slowest first; none if the description does not
 /// fit the pages.
 std::optional<std::vector<PageAxis>> PageAxes(
@@ -37,9 +52,9 @@ std::optional<std::vector<PageAxis>> PageAxes(
   std::vector<PageAxis> axes;
   for (std::size_t i = 0; i < y; ++i)
   {
-    // Colours in planes of their own are samples of one page.
-    const bool isInPage =
-      i + 1 == y && page.componentCount > 1 && shape[i] == double(page.componentCount);
+    // Colours in planes of their own are samples of one page; others follow behind X.
+    const bool isInPage = i + 1 == y && x + 1 == letters.size() && page.componentCount > 1 &&
+      shape[i] == double(page.componentCount);
     if (!(shape[i] >= 1.0 && shape[i] <= MostAlong))
     {
       return std::nullopt;
@@ -116,6 +131,15 @@ TiffStack StackOf(const std::string& path, const std::vector<PageAxis>& axes, st
   return stack;
 }
 
+/// The pages as slices, where the axes do not fit them.
+TiffStack StackOfUnfitPages(const TiffFile& file, const std::string& letters)
+{
+  TiffStack stack = PlainStack(file);
+  stack.warnings.push_back("The description of the axes " + Quoted(letters) +
+    " does not fit the pages, which were read as slices.");
+  return stack;
+}
+
 }
 
 std::optional<TiffStack> ShapedStack(TiffFile& file, std::int64_t time)
@@ -128,12 +152,14 @@ std::optional<TiffStack> ShapedStack(TiffFile& file, std::int64_t time)
   }
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   const std::string letters = TextIn(ValueAt(json, "axes"));
-  const TiffPage first = file.Pages().front();
-  const auto axes = PageAxes(letters, NumbersIn(ValueAt(json, "shape")), first.layout);
+  const std::vector<double> shape = NumbersIn(ValueAt(json, "shape"));
   if (letters.empty())
   {
     return std::nullopt;
   }
+  SplitPlaces(letters, shape, file);
+  const TiffPage first = file.Pages().front();
+  const auto axes = PageAxes(letters, shape, first.layout);
   const double count = axes ? PageCount(*axes) : 0.0;
   const bool isOneDirectory = file.Pages().size() == 1;
   const double pages = isOneDirectory
@@ -141,10 +167,7 @@ std::optional<TiffStack> ShapedStack(TiffFile& file, std::int64_t time)
     : double(file.Pages().size());
   if (!axes || count > pages)
   {
-    TiffStack stack = PlainStack(file);
-    stack.warnings.push_back("The description of the axes " + Quoted(letters) +
-      " does not fit the pages, which were read as slices.");
-    return stack;
+    return StackOfUnfitPages(file, letters);
   }
   if (isOneDirectory && count > 1.0)
   {

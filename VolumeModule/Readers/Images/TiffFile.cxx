@@ -202,6 +202,27 @@ void TiffFile::AddPagesBehindFirst(std::size_t count)
   }
 }
 
+void TiffFile::SplitSamples()
+{
+  std::vector<TiffPage> split;
+  for (std::size_t i = 0; i < this->pages.size(); ++i)
+  {
+    this->SelectPage(i);
+    TiffPage page = this->pages[i];
+    const bool isPlanar = TypeOfTiffPixels(this->file) != VTK_VOID &&
+      TiffTag<std::uint16_t>(this->file, TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
+    const std::int64_t count = isPlanar ? page.layout.componentCount : 1;
+    page.layout.componentCount /= count;
+    page.holdsColors = page.holdsColors && count == 1;
+    for (int sample = 0; sample < count; ++sample)
+    {
+      page.sample = count > 1 ? std::optional(sample) : std::nullopt;
+      split.push_back(page);
+    }
+  }
+  this->pages = std::move(split);
+}
+
 void TiffFile::SelectPage(std::size_t page)
 {
   if (TIFFCurrentDirOffset(this->file) != this->pages[page].directory &&

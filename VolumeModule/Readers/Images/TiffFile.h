@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,14 @@ namespace varimarch
 /// A page (image file directory) of a TIFF file.
 struct TiffPage
 {
-  VoxelLayout layout;      ///< one slice
-  bool isReduced;          ///< true for a thumbnail of another page
-  bool isInverted;         ///< true if the largest value is black
-  bool holdsColors;        ///< true if the values of a pixel are its colour
-  int orientation;         ///< the tag Orientation, 1 to 8
-  std::uint64_t directory; ///< file offset of the page's directory
-  std::uint64_t slice;     ///< the number of the page among those that its directory describes
+  VoxelLayout layout;        ///< one slice
+  bool isReduced;            ///< true for a thumbnail of another page
+  bool isInverted;           ///< true if the largest value is black
+  bool holdsColors;          ///< true if the values of a pixel are its colour
+  int orientation;           ///< the tag Orientation, 1 to 8
+  std::uint64_t directory;   ///< file offset of the page's directory
+  std::uint64_t slice;       ///< the number of the page among those that its directory describes
+  std::optional<int> sample; ///< the plane of components that is the page, see SplitSamples
   std::array<double, 2> pixelsPerUnit; ///< the tags XResolution and YResolution; 0 if missing
   double mmPerUnit; ///< length of the tag ResolutionUnit [mm]; 0 if it states no length
 };
@@ -52,6 +54,9 @@ public:
   /// Adds pages without directories, whose uncompressed pixels follow those of the first page.
   /// ImageJ stores volumes beyond 4 GB like this, and MetaMorph all stacks.
   void AddPagesBehindFirst(std::size_t count);
+
+  /// Takes the components of all pages that have them in planes of their own for pages.
+  void SplitSamples();
 
   /// Fails unless the file is long enough for the pixels of a page.
   void CheckHoldsPage(std::size_t page);

@@ -87,9 +87,11 @@ void TiffFile::ReadPage(std::size_t index, void* destination)
   const bool isPlanar =
     TiffTag<std::uint16_t>(this->file, TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
   const int planeCount = isPlanar ? int(page.layout.componentCount) : 1;
-  for (int plane = 0; plane < planeCount; ++plane)
+  const int firstPlane = page.sample.value_or(0);
+  for (int plane = firstPlane; plane < firstPlane + planeCount; ++plane)
   {
-    const PixelRows rows = { static_cast<char*>(destination) + std::size_t(plane) * valueBytes,
+    const auto component = std::size_t(plane - firstPlane);
+    const PixelRows rows = { static_cast<char*>(destination) + component * valueBytes,
       std::size_t(page.layout.dimensions[0]), std::size_t(page.layout.dimensions[1]), pixelBytes,
       isPlanar ? valueBytes : pixelBytes };
     TIFFIsTiled(this->file) ? this->ReadTiles(rows, std::uint16_t(plane), page.slice)
