@@ -84,6 +84,13 @@ void SetSizes(MifHeader& header)
   }
 }
 
+/// True if a header names another file for the voxels. MRtrix writes END only before voxels.
+bool HasVoxelsElsewhere(const MifHeader& header)
+{
+  const std::string file = header.fields.Value({ "file" });
+  return !file.empty() && file != "." && file.compare(0, 2, ". ") != 0;
+}
+
 MifHeader ReadMifHeader(const std::string& path)
 {
   MifHeader header;
@@ -107,9 +114,11 @@ MifHeader ReadMifHeader(const std::string& path)
     const bool isMore = key == "transform" && header.fields.Has(key);
     header.fields.Set(key, isMore ? header.fields.Value({ key }) + ',' + value : value);
   }
-  if (!line)
+  const bool isComplete = line || (HasVoxelsElsewhere(header) && !lines.EndInALine());
+  if (!isComplete)
   {
-    FailToRead(path, "a header that ends with END", "no such line");
+    FailToRead(
+      path, "a header that ends with END, or with a line about another file", "no such line");
   }
   SetSizes(header);
   SetLayout(header);
