@@ -130,17 +130,29 @@ bool AreInterleaved(const std::vector<FrameSet>& sets)
     });
 }
 
+/// True if all frames together have even distances, in which slices may be missing.
+bool LieOnOneGrid(const FrameSet& frames)
+{
+  const std::vector<double> heightsMm = HeightsOfPlaces(frames);
+  return AreOnGrid(heightsMm, UsualDistanceMm(heightsMm));
+}
+
 /// True if the distance that slices state is that of all frames together rather than that of a set:
-/// they were acquired in turns.
+/// they were acquired in turns. Where they state none, all together must be even: a second volume
+/// would hardly lie half a distance beside the first.
 bool WereInTurns(const FrameSet& frames, const std::vector<FrameSet>& sets)
 {
   const auto statedMm = frames.front().frame.distanceMm;
+  if (!statedMm)
+  {
+    return LieOnOneGrid(frames);
+  }
   const auto differenceMm = [&](const FrameSet& set)
   {
     const std::vector<double> heightsMm = HeightsOfPlaces(set);
     return heightsMm.size() < 2 ? 0.0 : std::abs(std::abs(*statedMm) - UsualDistanceMm(heightsMm));
   };
-  return statedMm && differenceMm(frames) < differenceMm(sets.front());
+  return differenceMm(frames) < differenceMm(sets.front());
 }
 
 /// True for attributes whose values belong to whole volumes, not to slices acquired together.
