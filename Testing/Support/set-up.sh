@@ -22,6 +22,8 @@ testPackages=(
   at-spi2-core dbus dcmtk dicom3tools libgtest-dev glslang-tools openbox openssl orthanc orthanc-dicomweb
   python3-fuse python3-h5py python3-pyatspi python3-pydicom python3-vedo python3-venv python3-wheel
   python3-zarr xdotool xvfb xauth
+  # Other programs that read volumes, to compare with
+  dcm2niix mrtrix3 python3-mrcfile python3-nibabel python3-tifffile teem-apps
 )
 fuzzPackages=(clang libclang-rt-14-dev)
 packageLog=build/packages.log
