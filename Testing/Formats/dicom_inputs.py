@@ -79,6 +79,18 @@ def nuclear_slices_of_two_energies(folder):
     agree(path, frames_by_pydicom(path, (1, 3, 5)), kind=2)
 
 
+def projections_of_two_detectors(folder):
+    """pydicom: three angles of each of two detectors are six views."""
+    path = write(folder / "a.dcm", phantom(shape=(6, 5, 6)), of_class=NUCLEAR, PixelSpacing=[0.8, 0.7],
+                 SliceThickness=2.5, FrameIncrementPointer=[0x00540020, 0x00540050, 0x00540090],
+                 DetectorVector=[1, 1, 1, 2, 2, 2], RotationVector=[1] * 6,
+                 AngularViewVector=[1, 2, 3, 1, 2, 3], DetectorInformationSequence=sequence(
+                     ImagePositionPatient=[-10.0, -20.0, 30.0],
+                     ImageOrientationPatient=[1.0, 0, 0, 0, 0, -1]))
+    for frame in range(6):
+        agree(path, frames_by_pydicom(path, [frame], direction=CORONAL), kind=frame + 1)
+
+
 def nuclear_slices_at_a_negative_distance(folder):
     """pydicom: slices that follow each other against their normal (PS3.3 C.8.4.15)."""
     path = write(folder / "a.dcm", phantom(), of_class=NUCLEAR, PixelSpacing=[0.8, 0.7],
@@ -219,6 +231,16 @@ def odd_and_even_slices_without_a_stated_distance(folder):
     paths = slices(folder / "scan", phantom(shape=(6, 5, 6)), each=lambda index: {
         "AcquisitionNumber": 1 + index % 2, "SliceThickness": None})
     agree(folder / "scan", by_pydicom(paths), times=[0])
+
+
+def some_slices_with_a_value_of_their_own(folder):
+    """pydicom: one volume, of which a few slices state another echo time, angle, kind or acquisition."""
+    differences = [("EchoTime", 4.6, 4.61), ("FlipAngle", 90, 80), ("AcquisitionNumber", 1, 2),
+                   ("ImageType", ["ORIGINAL", "PRIMARY", "AXIAL"], ["DERIVED", "PRIMARY", "AXIAL"])]
+    for name, usual, other in differences:
+        paths = slices(folder / name, phantom(shape=(8, 5, 6)), of_class=MR, each=lambda index: {
+            name: other if index in (1, 4, 5) else usual})
+        agree(folder / name, by_pydicom(paths), times=[0])
 
 
 def dynamic_pet_with_a_slope_for_each_slice(folder):

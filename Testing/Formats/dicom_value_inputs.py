@@ -133,7 +133,7 @@ def uptake_of_doses_in_megabecquerel_is_unknown(folder):
 
 
 def uptake_of_an_injection_in_another_zone(folder):
-    """numpy: 02:30 east of India is an hour before 09:00 in New York... of the day before."""
+    """The standard: 01:30 in India is an hour before 16:00 of the day before in New York."""
     factor, doubts = uptake_factor(
         folder, SeriesDate="20240109", AcquisitionDate="20240109", SeriesTime="160000",
         AcquisitionTime="160100", TimezoneOffsetFromUTC="-0500",
@@ -204,7 +204,7 @@ def region_of_tissue_behind_a_spectrum_and_a_colour_bar(folder):
 
 
 def uneven_slices_are_resampled(folder):
-    """numpy: a field that grows linearly with the height stays so where the distance doubles."""
+    """A formula: a field that grows linearly with the height stays so where the distance doubles."""
     heights = numpy.array((0.0, 2.0, 4.0, 6.0, 10.0, 14.0))
     field = numpy.broadcast_to((100 + 10 * heights)[:, None, None], (6, 5, 6)).astype("u2")
     slices(folder, field, each=lambda index: {

@@ -50,6 +50,14 @@ def calibrated_hyperstack_of_imagej(folder):
           times=[0, 0.04, 0.08])
 
 
+def signed_shorts_as_imagej_saves_them(folder):
+    """tifffile: unsigned pixels, of which the description takes away 32768."""
+    path = folder / "a.tif"
+    tifffile.imwrite(path, phantom() + 32000, imagej=True, **per_micrometre(1.0), metadata={
+        "axes": "ZYX", "unit": "um", "spacing": 1.0, "cf": 0, "c0": -32768.0, "c1": 1.0, "vunit": "HU"})
+    agree(path, in_micrometres(tifffile.imread(path).astype(float) - 32768))
+
+
 def curve_of_imagej_is_named(folder):
     """tifffile: optical density, a function that is no straight line."""
     path = folder / "a.tif"

@@ -77,20 +77,31 @@ bool LieOverEachOther(const std::vector<FrameSet>& sets)
   return uncovered == 0 || (uncovered == 1 && isLargestUncovered);
 }
 
-/// The heights of the places of frames, in ascending order.
-std::vector<double> HeightsOfPlaces(const FrameSet& frames)
+/// The heights of the places of frames.
+std::map<int, double> HeightsByPlace(const FrameSet& frames)
 {
   std::map<int, double> heights;
   for (const PlacedFrame& frame : frames)
   {
     heights.insert({ frame.place, frame.heightMm });
   }
+  return heights;
+}
+
+std::vector<double> Ascending(const std::map<int, double>& heights)
+{
   std::vector<double> ascending;
   for (const auto& [place, heightMm] : heights)
   {
     ascending.push_back(heightMm);
   }
   return ascending;
+}
+
+/// The heights of the places of frames, in ascending order.
+std::vector<double> HeightsOfPlaces(const FrameSet& frames)
+{
+  return Ascending(HeightsByPlace(frames));
 }
 
 /// True for heights of a stack with even distances, in which slices may be missing.
@@ -108,25 +119,38 @@ bool AreOnGrid(const std::vector<double>& heightsMm, double distanceMm)
   return heightsMm.size() > 1;
 }
 
+/// True if a set has the slices that another one lacks: slices of one volume, some of which have a
+/// value of their own, such as an echo time that was rounded otherwise.
+bool FillsGapsOf(const FrameSet& other, const FrameSet& set, double distanceMm)
+{
+  std::map<int, double> both = HeightsByPlace(other);
+  const std::size_t before = both.size();
+  const std::map<int, double> added = HeightsByPlace(set);
+  both.insert(added.begin(), added.end());
+  return 2 * (both.size() - before) >= added.size() && AreOnGrid(Ascending(both), distanceMm);
+}
+
 /// True if sets are stacks of equal even distances between each other's slices, such as two phases
 /// half a distance apart.
 bool AreInterleaved(const std::vector<FrameSet>& sets)
 {
-  std::vector<std::vector<double>> heightsMm;
-  std::transform(sets.begin(), sets.end(), std::back_inserter(heightsMm), HeightsOfPlaces);
-  const auto largest = *std::max_element(heightsMm.begin(), heightsMm.end(),
-    [](const auto& a, const auto& b) { return a.size() < b.size(); });
-  if (largest.size() < 2)
+  const FrameSet& largest = *std::max_element(sets.begin(), sets.end(),
+    [](const FrameSet& a, const FrameSet& b) { return PlaceCount(a) < PlaceCount(b); });
+  const std::vector<double> ofLargest = HeightsOfPlaces(largest);
+  if (ofLargest.size() < 2)
   {
     return false;
   }
-  const double distanceMm = UsualDistanceMm(largest);
-  return std::all_of(heightsMm.begin(), heightsMm.end(),
-    [&](const std::vector<double>& heights)
+  const double distanceMm = UsualDistanceMm(ofLargest);
+  return std::all_of(sets.begin(), sets.end(),
+    [&](const FrameSet& set)
     {
+      const std::vector<double> heights = HeightsOfPlaces(set);
       const double commonMm =
-        std::min(heights.back(), largest.back()) - std::max(heights.front(), largest.front());
-      return AreOnGrid(heights, distanceMm) && commonMm >= 0.5 * (heights.back() - heights.front());
+        std::min(heights.back(), ofLargest.back()) - std::max(heights.front(), ofLargest.front());
+      return AreOnGrid(heights, distanceMm) &&
+        commonMm >= 0.5 * (heights.back() - heights.front()) &&
+        !FillsGapsOf(largest, set, distanceMm);
     });
 }
 
@@ -162,6 +186,14 @@ bool TellsVolumes(std::size_t difference)
     DicomDifference::FrameNumber, DicomDifference::TriggerTime, DicomDifference::AcquisitionTime,
     DicomDifference::ContentTime, DicomDifference::Segment };
   return std::find(OfSlices.begin(), OfSlices.end(), DicomDifference(difference)) == OfSlices.end();
+}
+
+/// True if sets are volumes between each other's slices, instead of the parts of one.
+bool AreBetween(std::size_t difference, const FrameSet& frames, const std::vector<FrameSet>& sets)
+{
+  const bool isVague = DicomDifference(difference) == DicomDifference::AcquisitionNumber;
+  return TellsVolumes(difference) && AreInterleaved(sets) &&
+    !(isVague && WereInTurns(frames, sets));
 }
 
 }
@@ -208,10 +240,7 @@ std::vector<FrameSet> VolumesBy(std::size_t difference, const FrameSet& frames)
   }
   std::vector<FrameSet> sets = SetsBy(difference, frames);
   const bool areOver = sets.size() <= MostRepeats(frames) && LieOverEachOther(sets);
-  const bool isVague = DicomDifference(difference) == DicomDifference::AcquisitionNumber;
-  const bool areBetween =
-    TellsVolumes(difference) && AreInterleaved(sets) && !(isVague && WereInTurns(frames, sets));
-  return areOver || areBetween ? sets : std::vector<FrameSet>();
+  return areOver || AreBetween(difference, frames, sets) ? sets : std::vector<FrameSet>();
 }
 
 }
