@@ -243,6 +243,15 @@ def some_slices_with_a_value_of_their_own(folder):
         agree(folder / name, by_pydicom(paths), times=[0])
 
 
+def phases_told_by_their_moment_alone(folder):
+    """pydicom: two phases, the second 0.7 mm higher, that differ in their time of acquisition only."""
+    values = phantom(shape=(2, 4, 5, 6))
+    volumes = [slices(folder / "scan", values[i], f"{i}-", first=(-10, -20, 30 + 0.7 * i),
+                      AcquisitionDate="20240110", AcquisitionTime=f"1000{8 * i:02}",
+                      each=lambda index, i=i: {"InstanceNumber": 4 * i + index + 1}) for i in range(2)]
+    agree(folder / "scan", [by_pydicom(paths) for paths in volumes], times=[0, 8])
+
+
 def dynamic_pet_with_a_slope_for_each_slice(folder):
     """pydicom: the reference times of frames of growing length, and slopes that differ everywhere."""
     values = phantom(shape=(3, 4, 5, 6))

@@ -188,12 +188,17 @@ bool TellsVolumes(std::size_t difference)
   return std::find(OfSlices.begin(), OfSlices.end(), DicomDifference(difference)) == OfSlices.end();
 }
 
-/// True if sets are volumes between each other's slices, instead of the parts of one.
+/// True if sets are volumes between each other's slices, instead of the parts of one. Slices that
+/// were acquired together share moments and the like, which tell volumes only where the slices of
+/// all would be uneven.
 bool AreBetween(std::size_t difference, const FrameSet& frames, const std::vector<FrameSet>& sets)
 {
+  if (!AreInterleaved(sets))
+  {
+    return false;
+  }
   const bool isVague = DicomDifference(difference) == DicomDifference::AcquisitionNumber;
-  return TellsVolumes(difference) && AreInterleaved(sets) &&
-    !(isVague && WereInTurns(frames, sets));
+  return TellsVolumes(difference) ? !(isVague && WereInTurns(frames, sets)) : !LieOnOneGrid(frames);
 }
 
 }
