@@ -252,6 +252,15 @@ def phases_told_by_their_moment_alone(folder):
     agree(folder / "scan", [by_pydicom(paths) for paths in volumes], times=[0, 8])
 
 
+def voltages_of_a_scan_with_two_energies(folder):
+    """pydicom: images of 140 and 80 kV at the same places are kinds, not times."""
+    values = phantom(shape=(2, 4, 5, 6))
+    volumes = [slices(folder / "scan", values[i], f"{i}-", KVP=(140, 80)[i],
+                      each=lambda index, i=i: {"InstanceNumber": 2 * index + i + 1}) for i in range(2)]
+    agree(folder / "scan", by_pydicom(volumes[1]), "energy", times=[0])
+    agree(folder / "scan", by_pydicom(volumes[0]), kind=2)
+
+
 def dynamic_pet_with_a_slope_for_each_slice(folder):
     """pydicom: the reference times of frames of growing length, and slopes that differ everywhere."""
     values = phantom(shape=(3, 4, 5, 6))

@@ -29,7 +29,7 @@ const std::array<std::vector<vtkDICOMTag>, std::size_t(DicomDifference::Count)> 
   { DC::FlipAngle },
   { DC::DiffusionBValue },
   { DC::DiffusionGradientOrientation },
-  {},
+  { DC::KVP },
   { DC::TemporalPositionIndex, DC::TemporalPositionIdentifier },
   { DC::NominalCardiacTriggerDelayTime, DC::TriggerTime },
   { DC::NominalPercentageOfCardiacPhase },
