@@ -261,7 +261,8 @@ public:
   bool HasWindowLevel();
   double GetWindow();
   double GetLevel();
-  /// True if slices are meant with their smallest values white, as in DICOM images with MONOCHROME1.
+  /// True if slices are meant with their smallest values white, as in DICOM images with
+  /// MONOCHROME1.
   bool IsInverted();
   /// True if the gantry was tilted, or slices are unevenly spaced or missing: RectifySlices then
   /// changes the volume.

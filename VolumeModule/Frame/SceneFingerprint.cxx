@@ -36,8 +36,9 @@ Fingerprint ExtinctionChoices(const RenderSettings& settings)
   const auto& [blend, acceleration, shading, sceneGeometry, integration, nearest, cubic, filter,
     uneven, clipping, cropping, clippedGradients, gaps, fillGaps, countFetches, skipsBricks, pass,
     role, damping, lights, shadows, softLights, casters, scattering, occlusion, mask, labelSurfaces,
-    functionOf, components, componentCount, gradientOpacity, storedGradients, triesRays, jitter, windowLevel,
-    limitsSpan, limitsMean, fromBehind, overlaps, shadowsOthers, occludesOthers, others] = settings;
+    functionOf, components, componentCount, gradientOpacity, storedGradients, triesRays, jitter,
+    windowLevel, limitsSpan, limitsMean, fromBehind, overlaps, shadowsOthers, occludesOthers,
+    others] = settings;
   return Fingerprint(blend, acceleration, nearest, cubic, uneven, clipping, cropping,
     clippedGradients, fillGaps, mask, functionOf, components, componentCount, gradientOpacity);
 }

@@ -24,7 +24,7 @@ bool NeedsNoTwin(const std::string& file)
 {
   static const std::set<std::string> nothing = { "None", "NoneOfAll", "Even" };
   static const std::set<std::string> slotsOfDevice = { "Difference", "Filter", "Locate", "Peel",
-    "Pixel",    "Resume", "Window" };
+    "Pixel", "Resume", "Window" };
   const std::size_t slash = file.find('/');
   return slash == std::string::npos || slotsOfDevice.count(file.substr(0, slash)) > 0 ||
     nothing.count(file.substr(slash + 1, file.rfind('.') - slash - 1)) > 0;

@@ -94,9 +94,10 @@ template <class Wire>
 void Fields(Wire& wire, Volume& volume)
 {
   wire(volume.modality, volume.bodyPart, volume.hasContrastAgent, volume.weighting,
-    volume.windowLevel, volume.lowestInside, volume.isInverted, volume.warnings, volume.irregularSlicesMm, volume.isMisplaced,
-    volume.isRectified, volume.segments, volume.uptakeValueFactor, volume.frameOfReference,
-    volume.times, volume.showsPatient, volume.holdsColors, volume.channels, volume.kinds);
+    volume.windowLevel, volume.lowestInside, volume.isInverted, volume.warnings,
+    volume.irregularSlicesMm, volume.isMisplaced, volume.isRectified, volume.segments,
+    volume.uptakeValueFactor, volume.frameOfReference, volume.times, volume.showsPatient,
+    volume.holdsColors, volume.channels, volume.kinds);
 }
 
 template <class Wire>
