@@ -14,32 +14,12 @@
 
 using namespace varimarch;
 
-namespace
-{
-
-std::vector<std::string> KindsThatHold()
-{
-  std::vector<std::string> names;
-  for (const PromiseKind& kind : PromiseKinds())
-  {
-    const std::vector<std::string>& others = PromiseKindsUnderWork();
-    if (std::find(others.begin(), others.end(), kind.name) == others.end())
-    {
-      names.push_back(kind.name);
-    }
-  }
-  return names;
-}
-
-}
-
 // Warnings are part of an honest answer.
 TEST(Promise, IsKeptOrDeniedInRandomScenes)
 {
   PromiseOptions options;
-  options.only = KindsThatHold();
   options.scenes =
-    int(NumberFromEnvironment("VARIMARCH_PROMISE_SCENES", 2 * long(options.only.size())));
+    int(NumberFromEnvironment("VARIMARCH_PROMISE_SCENES", 2 * long(PromiseKinds().size())));
   options.seed = std::uint64_t(NumberFromEnvironment("VARIMARCH_PROMISE_SEED", 1));
   options.side = 12;
   const ExpectedVtkErrors messages;

@@ -19,32 +19,4 @@ const std::vector<PromiseKind>& PromiseKinds()
   return kinds;
 }
 
-const std::vector<std::string>& PromiseKindsUnderWork()
-{
-  static const std::vector<std::string> kinds = {
-    // Gradients of even matter were lit as surfaces; not judged in the suite since.
-    "head-light",
-    "lamps",
-    // Light where matter changes within a voxel.
-    "shadow-along-sheet",
-    "shadow-bands",
-    "shadow-look-edits",
-    "shadow-mask-edits",
-    "shadow-moves",
-    "soft-bands",
-    "scattering-bands",
-    "occlusion",
-    "occlusion-noise",
-    "occlusion-walls",
-    "occlusion-bands",
-    "occlusion-sheets",
-    "occlusion-nearest",
-    "occlusion-unlit",
-    "occlusion-shadows",
-    "occlusion-pet-over-ct",
-    "occlusion-edits",
-  };
-  return kinds;
-}
-
 }

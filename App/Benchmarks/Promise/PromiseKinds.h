@@ -20,9 +20,6 @@ struct PromiseKind
 /// All kinds, those without light first.
 const std::vector<PromiseKind>& PromiseKinds();
 
-/// The kinds that are known to break the promise, which somebody works on.
-const std::vector<std::string>& PromiseKindsUnderWork();
-
 ///@{
 /// The kinds by what makes them hard.
 std::vector<PromiseKind> MatterPromiseKinds();
