@@ -1,7 +1,11 @@
 #include "Frame/FrameMeasures.h"
 
 #include "Core/Geometry/ProjectedBox.h"
+#include "Core/Look/OpaqueValues.h"
 #include "Core/Recipe/MaterialRecipe.h"
+#include "Frame/PropertyTransferFunction.h"
+
+#include "vtkDataArray.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -179,6 +183,12 @@ int MostSegments(const Frame& frame, double sampleDistanceMm)
   add(frame);
   std::for_each(frame.others.begin(), frame.others.end(), add);
   return most;
+}
+
+std::vector<ValueRange> OpaqueValuesOf(const Frame& frame)
+{
+  const double* const values = frame.voxels.scalars->GetFiniteRange();
+  return OpaqueValues(TransferFunctionOf(frame.material.property), { values[0], values[1] });
 }
 
 }

@@ -82,6 +82,13 @@ std::string WarningsOfUnknownLight(const RayMarcher& marcher)
     warnings += ReasonForShaders;
     warnings += "Let it absorb less, or switch the shadows off. ";
   }
+  if (marcher.HasOpaqueMatterInShadow())
+  {
+    warnings +=
+      "Single pixels at the edges of shadows may have any light, because matter of opacity 1 "
+      "ends light within less than a step. Let the opacity stay below 1, as 0.999, or switch "
+      "the shadows off. ";
+  }
   if (marcher.HasFewSkyPlaces())
   {
     warnings += "The ambient occlusion behind translucent matter may be wrong by any amount: "

@@ -16,4 +16,10 @@ bool DarkensDenseMatter(const VolumeMarch& march, const MaterialResources& mater
   return isInShadows && depth >= (march.settings.nearest ? MostDepthOfBox : MostDepthOfVoxel);
 }
 
+bool HasOpaqueMatterInShadow(const Frame& frame)
+{
+  return IsInWayOfLights(frame.settings) && !frame.settings.nearest &&
+    !OpaqueValuesOf(frame).empty();
+}
+
 }

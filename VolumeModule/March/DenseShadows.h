@@ -13,6 +13,10 @@ namespace varimarch
 /// divide such samples (Core/Packets/Reach/AbsorbingPieces.h).
 bool DarkensDenseMatter(const VolumeMarch& march, const MaterialResources& materials);
 
+/// True if a volume with matter of opacity 1 dims light. Such matter ends light within less than
+/// any step, so that single pixels at the edges of its shadows may have any light.
+bool HasOpaqueMatterInShadow(const Frame& frame);
+
 }
 
 #endif

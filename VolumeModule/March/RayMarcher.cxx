@@ -110,6 +110,9 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->hasLongShadowSteps = varimarch::HasLongShadowSteps(MarchOf(frame, plan));
   this->hasFewSkyPlaces = this->FindFewSkyPlaces(frame, plan);
   this->darkensDenseMatter = this->FindDarkenedMatter(frame, plan);
+  this->hasOpaqueMatterInShadow = varimarch::HasOpaqueMatterInShadow(frame) ||
+    std::any_of(frame.others.begin(), frame.others.end(),
+      [](const Frame& other) { return varimarch::HasOpaqueMatterInShadow(other); });
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
 }

@@ -121,11 +121,13 @@ public:
   bool HasFewSkyPlaces() const { return this->hasFewSkyPlaces; }
   /// True if the function of this name is true for any of the volumes.
   bool DarkensDenseMatter() const { return this->darkensDenseMatter; }
+  /// The same.
+  bool HasOpaqueMatterInShadow() const { return this->hasOpaqueMatterInShadow; }
   /// True if the image may be wrong by any amount, which no trial image shows.
   bool HasUnknownError() const
   {
     return this->MissesCurve() || this->MergesValues() || this->HasLongShadowSteps() ||
-      this->HasFewSkyPlaces() || this->DarkensDenseMatter();
+      this->HasFewSkyPlaces() || this->DarkensDenseMatter() || this->HasOpaqueMatterInShadow();
   }
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
@@ -181,6 +183,7 @@ private:
   bool hasLongShadowSteps = false;
   bool hasFewSkyPlaces = false;
   bool darkensDenseMatter = false;
+  bool hasOpaqueMatterInShadow = false;
 };
 
 }

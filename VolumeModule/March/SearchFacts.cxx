@@ -62,11 +62,23 @@ double SupposedOrderOf(const RenderSettings& settings)
   return IsInWayOfLights(settings) && !IsInWayOfSky(settings) ? OfLight : UsualOrder;
 }
 
+// Beside opaque matter the extinction rises so steeply that two longer steps miss it together.
+constexpr double CoarsestBesideOpaqueVoxels = 0.25;
+
+bool HasOpaqueMatter(const VolumeMarch& march)
+{
+  return march.settings.blend == Blend::Composite && !OpaqueValuesOf(march.frame).empty();
+}
+
 StepRange RangeOf(const VolumeMarch& march)
 {
   const double voxelMm = SmallestSpacingMm(march.frame);
-  const double coarsestMm =
+  double coarsestMm =
     CoarsestDistanceMm(march.frame, march.frame.cuts.boxGrid, LongestRayMm(march.frame));
+  if (HasOpaqueMatter(march))
+  {
+    coarsestMm = std::min(coarsestMm, CoarsestBesideOpaqueVoxels * voxelMm);
+  }
   // The search also draws at half of the finest distance.
   const double finestMm = std::max(
     FinestStepVoxels * voxelMm, 2.0 * ShortestDistanceWithSkyMm(march.frame, march.plan.marcher));

@@ -30,6 +30,7 @@ struct PacketRays
   Lanes exit;
   Lanes wholeEnter; ///< [mm]; the part in the whole box, only if steps are shared
   Lanes wholeExit;
+  Lanes opaqueAt; ///< [mm]; the exit if matter is opaque there, else Never
 
   /// The length of the part of the rays between two places [mm].
   Lanes LengthBetween(Lanes from, Lanes to) const
@@ -220,6 +221,7 @@ inline PacketRays LinesOf(const PacketScene& scene, int x, int y)
   rays.exit = All(Never);
   rays.wholeEnter = rays.enter;
   rays.wholeExit = rays.exit;
+  rays.opaqueAt = All(Never);
   return rays;
 }
 

@@ -161,6 +161,15 @@ struct PacketExtreme
   float bricksPerBlock; ///< bricks along a side of a block
 };
 
+/// The values at which matter is opaque, at which rays end; see OpaqueValues.
+struct PacketOpaque
+{
+  static constexpr int MostRanges = 2;
+  int count;
+  glm::vec2 ranges[MostRanges]; ///< finite; an infinite end is the largest float
+  float entry;                  ///< distance of the entries of the table
+};
+
 /// Arrays and choices that cut rays off.
 struct PacketCuts
 {
@@ -255,6 +264,7 @@ struct PacketScene
   PacketShadows shadows; ///< only if the light casts shadows
   PacketSky sky;
   PacketExtreme extreme;
+  PacketOpaque opaque;
   bool isMean; ///< projections: true for a mean, false for a sum
   PacketSteps steps;
   PacketCuts cuts;

@@ -12,6 +12,7 @@
 #include "Core/Packets/March/MaterialSegments.h"
 #include "Core/Packets/March/MaterialVoxels.h"
 #include "Core/Packets/March/Midpoint.h"
+#include "Core/Packets/March/OpaqueEnd.h"
 #include "Core/Packets/March/PreIntegrated.h"
 #include "Core/Packets/March/Projection.h"
 #include "Core/Packets/March/RangeMean.h"
@@ -151,7 +152,9 @@ PacketSum MarchByRule(
     case PacketRule::MaterialVoxels:
       return MarchVoxels<Voxel>(scene, rays, walk, before);
     default:
-      return MarchSampled<PacketVoxels<Voxel>>(scene, rays, walk, before);
+      return scene.opaque.count > 0 ? MarchSampled<PacketVoxels<Voxel>>(scene,
+                                        EndedByOpaque<Voxel>(scene, rays, walk), walk, before)
+                                    : MarchSampled<PacketVoxels<Voxel>>(scene, rays, walk, before);
   }
 }
 

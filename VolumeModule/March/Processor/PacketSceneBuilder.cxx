@@ -4,6 +4,7 @@
 
 #include "Core/Recipe/MaterialRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
+#include "Frame/FrameMeasures.h"
 #include "March/RayParametersBuilder.h"
 #include "March/VolumeParametersBuilder.h"
 #include "Readers/VoxelLayout.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace varimarch
@@ -104,6 +106,35 @@ PacketExtreme ExtremeOf(const VolumeMarch& march, const VolumeResources& volume)
   return extreme;
 }
 
+// Opacity is a function of values alone, which are interpolated linearly on an even grid.
+bool EndsAtOpaqueValues(const VolumeMarch& march)
+{
+  const RenderSettings& settings = march.settings;
+  const bool isOfValues = settings.blend == Blend::Composite && IsSampled(settings) &&
+    settings.components == Components::One && settings.functionOf == FunctionOf::Value;
+  const bool isPlain = !settings.gradientOpacity && !settings.cubic && !settings.uneven;
+  return isOfValues && isPlain && settings.mask != Mask::Labels && !IsMixture(march.frame);
+}
+
+PacketOpaque OpaqueOf(const VolumeMarch& march, const OpticalTable& table)
+{
+  PacketOpaque opaque = {};
+  if (!EndsAtOpaqueValues(march))
+  {
+    return opaque;
+  }
+  constexpr double Most = std::numeric_limits<float>::max();
+  opaque.entry = float((table.lastValue - table.firstValue) / double(table.entries.size() - 1));
+  for (const ValueRange& range : OpaqueValuesOf(march.frame))
+  {
+    if (opaque.count < PacketOpaque::MostRanges && range.upper - range.lower > 2.0 * opaque.entry)
+    {
+      opaque.ranges[opaque.count++] = glm::clamp(glm::dvec2(range.lower, range.upper), -Most, Most);
+    }
+  }
+  return opaque;
+}
+
 PacketCuts CutsOf(const VolumeMarch& march, const PacketSurroundings& around)
 {
   PacketCuts cuts = {};
@@ -165,6 +196,7 @@ PacketScene PacketSceneOf(
   scene.shadows = volume.Light().Shadows(march, 0);
   scene.sky = volume.Light().Sky(march);
   scene.extreme = ExtremeOf(march, volume);
+  scene.opaque = OpaqueOf(march, volume.Materials().OpticalTables().Table());
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);
   scene.cuts = CutsOf(march, around);

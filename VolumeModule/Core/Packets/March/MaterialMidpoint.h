@@ -5,20 +5,13 @@
 
 #include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/Loop/Segments.h"
+#include "Core/Packets/March/OpaqueEnd.h"
 
 namespace varimarch
 {
 
 namespace
 {
-
-/// A value, with its gradient if a material depends on that.
-template <class Material, class Voxels>
-Slope SlopeFor(const Material& material, const Voxels& voxels, const Lanes3& place, LaneMask mask)
-{
-  return material.IsPlain() ? Slope{ voxels.ValueAt(place), { Lanes{}, Lanes{}, Lanes{} } }
-                            : voxels.SlopeAt(place, mask);
-}
 
 /// Its segments have four samples, and a shader's have one: compared with a sample, finding the
 /// next brick costs a packet more.
@@ -54,6 +47,7 @@ PacketSum MarchMaterialMidpoints(
         }
       }
     });
+  AddOpaqueEnd(all, scene, rays, voxels, material);
   AddOwed(all, material);
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include "Core/Packets/Flattened.h"
 #include "Core/Packets/Loop/Segments.h"
+#include "Core/Packets/March/OpaqueEnd.h"
 #include "Core/Packets/PacketSurface.h"
 
 namespace varimarch
@@ -65,6 +66,7 @@ public:
       this->going &= GoOn(this->scene, this->rays, this->t, this->sum) &
         (this->index < this->scene.rays.mostSegments);
     }
+    AddOpaqueEnd(this->sum, this->scene, this->rays, this->voxels, this->material);
     AddOwed(this->sum, this->material);
     return this->sum;
   }

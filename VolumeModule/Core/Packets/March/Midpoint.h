@@ -5,6 +5,7 @@
 
 #include "Core/Packets/Classify/OpticalTable.h"
 #include "Core/Packets/Loop/Segments.h"
+#include "Core/Packets/March/OpaqueEnd.h"
 
 namespace varimarch
 {
@@ -18,7 +19,7 @@ PacketSum MarchMidpoints(
 {
   constexpr int Parts = 4;
   const Voxels voxels(scene.volume);
-  return MarchSegments<Parts>(scene, rays, walk, before,
+  PacketSum all = MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, const SegmentParts<Parts>& parts, LaneMask)
     {
       Lanes values[Parts];
@@ -31,6 +32,12 @@ PacketSum MarchMidpoints(
         }
       }
     });
+  if (scene.opaque.count > 0)
+  {
+    const OpaquePlaces end = OpaquePlacesOf(scene, rays, voxels);
+    all.Add(Classify(scene.look, end.value), end.lengthMm);
+  }
+  return all;
 }
 
 }

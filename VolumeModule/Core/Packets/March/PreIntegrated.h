@@ -5,6 +5,7 @@
 
 #include "Core/Packets/Classify/PreIntegrated.h"
 #include "Core/Packets/Loop/Segments.h"
+#include "Core/Packets/March/OpaqueEnd.h"
 
 namespace varimarch
 {
@@ -20,7 +21,7 @@ PacketSum MarchPreIntegrated(
   const Voxels voxels(scene.volume);
   Lanes start = {};
   Lanes values[Parts] = {};
-  return MarchSegments<Parts>(scene, rays, walk, before,
+  PacketSum all = MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, const SegmentParts<Parts>& parts, LaneMask jumps)
     {
       start = Any(jumps) ? voxels.ValueAt(rays.At(parts.enter)) : values[Parts - 1];
@@ -35,6 +36,12 @@ PacketSum MarchPreIntegrated(
         start = value;
       }
     });
+  if (scene.opaque.count > 0)
+  {
+    const OpaquePlaces end = OpaquePlacesOf(scene, rays, voxels);
+    all.Add(ClassifyBetween(scene.look, end.value, end.value), end.lengthMm);
+  }
+  return all;
 }
 
 }
