@@ -1,3 +1,4 @@
+#include "Readers/ImageFacts.h"
 #include "Scene/ImageStatistics.h"
 
 #include <vtkImageData.h>
@@ -89,6 +90,20 @@ TEST(ImageStatistics, ValuesThatAreNotFiniteCountAtTheEnds)
   EXPECT_EQ(statistics.Largest(), 699.0);
   EXPECT_EQ(statistics.Histogram(4)[0], 300 + 100 + 100);
   EXPECT_EQ(statistics.Histogram(4)[3], 200 + 100);
+}
+
+TEST(ImageStatistics, LeavePaddingBelowTheImageOut)
+{
+  const auto image = Ramp<short>(VTK_SHORT, 1.0);
+  std::fill_n(static_cast<short*>(image->GetScalarPointer()), 100, short(-2000));
+  varimarch::Volume volume;
+  volume.lowestInside = 100.0;
+  varimarch::KeepFacts(volume, image);
+  const ImageStatistics statistics(image);
+  EXPECT_EQ(statistics.Smallest(), 100.0);
+  EXPECT_EQ(statistics.Largest(), 999.0);
+  EXPECT_EQ(statistics.Percentile(0.0), 100.0);
+  EXPECT_EQ(statistics.Percentile(50.0), 549.0);
 }
 
 TEST(ImageStatistics, AConstantVolumeHasOneValue)

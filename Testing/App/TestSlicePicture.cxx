@@ -125,6 +125,8 @@ TEST(SlicePicture, IsInvertedForPetAndFollowsTheFilesWindow)
     << "white is no tracer, black half of the brightest";
   volume.modality = "CT";
   EXPECT_FALSE(SuggestedGrays(volume, statistics).inverted);
+  volume.isInverted = true;
+  EXPECT_TRUE(SuggestedGrays(volume, statistics).inverted);
   volume.windowLevel = { 400.0, 60.0 };
   EXPECT_EQ(SuggestedGrays(volume, statistics).windowLevel, *volume.windowLevel);
 

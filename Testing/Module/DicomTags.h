@@ -30,6 +30,7 @@ inline constexpr std::uint32_t Padding = 0x00280120;
 inline constexpr std::uint32_t Intercept = 0x00281052;
 inline constexpr std::uint32_t Slope = 0x00281053;
 inline constexpr std::uint32_t ModalityTable = 0x00283000;
+inline constexpr std::uint32_t PresentationShape = 0x20500020;
 inline constexpr std::uint32_t SharedGroups = 0x52009229;
 inline constexpr std::uint32_t FrameGroups = 0x52009230;
 inline constexpr std::uint32_t PixelData = 0x7fe00010;

@@ -1,6 +1,7 @@
 // The values of DICOM pixels: their coding, sign and bits, and what they stand for.
 #include "DicomReading.h"
 #include "DicomTags.h"
+#include "Readers/ImageFacts.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <numeric>
@@ -165,6 +166,23 @@ TEST_F(DicomValues, DarkPaddingStays)
   elements[PixelData] = Pixels(values);
   elements[Padding] = { "SS", Shorts({ -2000 }).value };
   EXPECT_EQ(this->ValueOf(elements, 3), -2000.0);
+  EXPECT_EQ(this->Warnings(), "");
+  EXPECT_EQ(varimarch::LowestInside(this->reader->GetOutput()), 0.0)
+    << "it is told apart from the image";
+}
+
+TEST_F(DicomValues, TheirSmallestMayBeMeantWhite)
+{
+  Elements elements = Slice(0);
+  const double value = this->ValueOf(elements, 7);
+  EXPECT_FALSE(this->reader->IsInverted());
+  elements[Colours] = Text("CS", "MONOCHROME1");
+  EXPECT_EQ(this->ValueOf(elements, 7), value) << "values stay as they are";
+  EXPECT_TRUE(this->reader->IsInverted());
+  elements[Colours] = Text("CS", "MONOCHROME2");
+  elements[PresentationShape] = Text("CS", "INVERSE");
+  this->ValueOf(elements, 0);
+  EXPECT_TRUE(this->reader->IsInverted());
   EXPECT_EQ(this->Warnings(), "");
 }
 
