@@ -1,7 +1,6 @@
 #include "March/RayMarcher.h"
 
 #include "Frame/FrameMeasures.h"
-#include "March/DenseShadows.h"
 #include "March/Device/FilterPrecision.h"
 #include "March/DrawingStopped.h"
 #include "March/Processor/PacketCapability.h"
@@ -103,16 +102,7 @@ void RayMarcher::Draw(const Frame& frame, const std::optional<PictureQuality>& q
   this->lacksRays = plan.imageSampleDistance > frame.image.sampleDistance;
   this->usedSampleDistanceMm = plan.sampleDistanceMm;
   this->wantedSampleDistanceMm = frame.quality.sampleDistanceMm;
-  this->leavesOutShadows = frame.settings.shadows && this->resources.IsInBlocks();
-  this->leavesOutOcclusion =
-    IsInWayOfSky(frame.settings) && plan.marcher == Marcher::Device && this->resources.IsInBlocks();
-  this->leavesOutCasters = frame.casters.areTooMany;
-  this->hasLongShadowSteps = varimarch::HasLongShadowSteps(MarchOf(frame, plan));
-  this->hasFewSkyPlaces = this->FindFewSkyPlaces(frame, plan);
-  this->darkensDenseMatter = this->FindDarkenedMatter(frame, plan);
-  this->hasOpaqueMatterInShadow = varimarch::HasOpaqueMatterInShadow(frame) ||
-    std::any_of(frame.others.begin(), frame.others.end(),
-      [](const Frame& other) { return varimarch::HasOpaqueMatterInShadow(other); });
+  this->notes = AccuracyNotesOf(frame, plan, this->resources);
   this->resources.UpdatePreIntegrated(frame, plan);
   this->DrawImage(frame, plan);
 }
@@ -122,6 +112,12 @@ bool RayMarcher::KeepsTolerance() const
   const auto isKept = [&](const std::optional<StepChoice>& step)
   { return !step || this->stepFactor * step->ofLimit <= 1.0; };
   return !this->lacksRays && isKept(this->foundStep) && isKept(this->FoundStepOfLight());
+}
+
+bool RayMarcher::HasUnknownError() const
+{
+  return std::any_of(this->notes.begin(), this->notes.end(),
+    [](const AccuracyNote& note) { return note.error != AccuracyNote::Error::Known; });
 }
 
 double RayMarcher::EstimatedError() const
@@ -143,31 +139,6 @@ void RayMarcher::DimGeometry(
   const Frame& frame, const std::optional<PictureQuality>& quality, const ReceivedLight& light)
 {
   this->dimming.Draw(frame, PlanOf(frame, quality), light);
-}
-
-bool RayMarcher::FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan)
-{
-  const auto areFewIn = [](const VolumeMarch& march, VolumeResources& volume)
-  { return varimarch::HasFewSkyPlaces(march, volume.Light().Sky(march)); };
-  bool areFew = areFewIn(MarchOf(frame, plan), this->resources.First());
-  for (std::size_t i = 0; i < frame.others.size(); ++i)
-  {
-    areFew = areFew || areFewIn(MarchOfOther(frame, plan, i), this->resources.Other(i));
-  }
-  return areFew;
-}
-
-bool RayMarcher::FindDarkenedMatter(const Frame& frame, const MarchPlan& plan) const
-{
-  bool darkens =
-    varimarch::DarkensDenseMatter(MarchOf(frame, plan), this->resources.First().Materials());
-  for (std::size_t i = 0; i < frame.others.size(); ++i)
-  {
-    darkens = darkens ||
-      varimarch::DarkensDenseMatter(
-        MarchOfOther(frame, plan, i), this->resources.Other(i).Materials());
-  }
-  return darkens;
 }
 
 void RayMarcher::EnterWindow(vtkOpenGLRenderWindow* newWindow)

@@ -3,6 +3,7 @@
 
 #include "Core/Quality/InteractiveQuality.h"
 #include "Frame/MarchPlan.h"
+#include "March/AccuracyNotes.h"
 #include "March/CommonSteps.h"
 #include "March/Device/BoxDrawing.h"
 #include "March/Device/ShaderMarcher.h"
@@ -100,35 +101,14 @@ public:
   const std::optional<StepChoice>& FoundStepOfLight() const { return this->dimming.FoundStep(); }
   /// The estimated 99.9th percentile of the errors of these steps, [0, 1]; 0 without a tolerance.
   double EstimatedError() const;
-  /// True if the table of a transfer function misses parts of it.
-  bool MissesCurve() const { return this->resources.MissesCurve(); }
-  bool MergesValues() const { return this->resources.MergesValues(); }
-  /// True if shadows are requested, but left out because a shader sees one block at a time and
-  /// packets of rays cannot march.
-  bool LeavesOutShadows() const { return this->leavesOutShadows; }
-  /// True if ambient occlusion is requested, but left out because a shader sees one volume and
-  /// one block at a time, and packets of rays do not march.
-  bool LeavesOutOcclusion() const { return this->leavesOutOcclusion; }
   /// The memory of the lattices of light, of which only pages that are used are taken.
   std::size_t LightBytes() const { return this->resources.LightBytes(); }
   int GeometryShadowBuilds() const { return this->dimming.Tracings(); }
   int LightLatticeBuilds() const { return this->resources.LightLatticeBuilds(); }
-  /// True if there is too much opaque geometry for its shadows.
-  bool LeavesOutCasters() const { return this->leavesOutCasters; }
-  /// See the function of this name.
-  bool HasLongShadowSteps() const { return this->hasLongShadowSteps; }
-  /// See the function of this name.
-  bool HasFewSkyPlaces() const { return this->hasFewSkyPlaces; }
-  /// True if the function of this name is true for any of the volumes.
-  bool DarkensDenseMatter() const { return this->darkensDenseMatter; }
-  /// The same.
-  bool HasOpaqueMatterInShadow() const { return this->hasOpaqueMatterInShadow; }
+  /// The shortcomings of the last image.
+  const std::vector<AccuracyNote>& Notes() const { return this->notes; }
   /// True if the image may be wrong by any amount, which no trial image shows.
-  bool HasUnknownError() const
-  {
-    return this->MissesCurve() || this->MergesValues() || this->HasLongShadowSteps() ||
-      this->HasFewSkyPlaces() || this->DarkensDenseMatter() || this->HasOpaqueMatterInShadow();
-  }
+  bool HasUnknownError() const;
   double FieldBuildSeconds() const { return this->resources.First().FieldBuildSeconds(); }
   std::size_t GraphicsMemoryBytes() const;
 
@@ -139,9 +119,6 @@ private:
   /// Updates the resources of a frame, and plans its march.
   MarchPlan Prepare(const Frame& frame, const std::optional<PictureQuality>& quality);
   void EnterWindow(vtkOpenGLRenderWindow* window);
-  /// True for a frame if HasFewSkyPlaces is true for any of its volumes.
-  bool FindFewSkyPlaces(const Frame& frame, const MarchPlan& plan);
-  bool FindDarkenedMatter(const Frame& frame, const MarchPlan& plan) const;
   /// Chooses the marcher, and updates everything that it reads.
   void UpdateResources(const Frame& frame, MarchPlan& plan);
   void ChooseMarcher(const Frame& frame, MarchPlan& plan, bool shouldMarchByPackets);
@@ -177,13 +154,7 @@ private:
   double usedSampleDistanceMm = 0.0;
   double wantedSampleDistanceMm = 0.0;
   double usedImageSampleDistance = 1.0;
-  bool leavesOutShadows = false;
-  bool leavesOutOcclusion = false;
-  bool leavesOutCasters = false;
-  bool hasLongShadowSteps = false;
-  bool hasFewSkyPlaces = false;
-  bool darkensDenseMatter = false;
-  bool hasOpaqueMatterInShadow = false;
+  std::vector<AccuracyNote> notes;
 };
 
 }
