@@ -55,10 +55,11 @@ bool IsOpacityOfValues(RenderSettings settings)
 }
 
 // Segments of rays to lights are as long as the square root of the sample distance, so that the
-// error of light falls by the first order of it. In occlusion that order makes searches too long.
+// error of light falls by the first order of it, and that of the image by one between this and the
+// usual one. In occlusion that order makes searches too long.
 double SupposedOrderOf(const RenderSettings& settings)
 {
-  constexpr double OfLight = 1.0;
+  constexpr double OfLight = 1.3;
   return IsInWayOfLights(settings) && !IsInWayOfSky(settings) ? OfLight : UsualOrder;
 }
 
