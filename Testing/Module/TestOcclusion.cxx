@@ -91,7 +91,7 @@ TEST(Occlusion, IsThatOfShadowedLightToo)
     dimmed += both[i];
     undimmed += shadowsOnly[i];
     EXPECT_LE(both[i], shadowsOnly[i] + HalfByteStep);
-    EXPECT_NEAR(both[i + 3], shadowsOnly[i + 3], 2.0 * HalfByteStep) << "opacity stays";
+    EXPECT_NEAR(both[i + 3], shadowsOnly[i + 3], 1.0 / 64.0) << "opacity stays, but for steps";
   }
   EXPECT_LT(dimmed, 0.9 * undimmed);
 }

@@ -253,7 +253,7 @@ std::vector<RegressionCase> LightCases()
     MaterialCase("ColouredLights", ColouredLights, MaterialInLights),
     { "Shadows", [] { return InShadows(DirectionalLight); }, 5.0, TooManySegments },
     { "ShadowsOfALamp", [] { return InShadows(PositionalLight); } },
-    { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); }, 5.0, TooManySegments },
+    { "ShadowsOfTwoLights", [] { return InShadows(ColouredLights); } },
     { "SoftShadows", [] { return OfBallOverPlate(SoftShadows, MaterialInOwnShadows); }, 5.0,
       TooManySegments },
     { "AmbientOcclusion", [] { return OfBallOverPlate(AmbientOcclusion, OccludedMaterial); } },

@@ -1,11 +1,7 @@
 #include "Frame/FrameMeasures.h"
 
 #include "Core/Geometry/ProjectedBox.h"
-#include "Core/Look/OpaqueValues.h"
 #include "Core/Recipe/MaterialRecipe.h"
-#include "Frame/PropertyTransferFunction.h"
-
-#include "vtkDataArray.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -183,12 +179,6 @@ int MostSegments(const Frame& frame, double sampleDistanceMm)
   add(frame);
   std::for_each(frame.others.begin(), frame.others.end(), add);
   return most;
-}
-
-std::vector<ValueRange> OpaqueValuesOf(const Frame& frame)
-{
-  const double* const values = frame.voxels.scalars->GetFiniteRange();
-  return OpaqueValues(TransferFunctionOf(frame.material.property), { values[0], values[1] });
 }
 
 }

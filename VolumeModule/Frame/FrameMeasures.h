@@ -1,15 +1,12 @@
 #ifndef Varimarch_Frame_FrameMeasures_h
 #define Varimarch_Frame_FrameMeasures_h
 
-#include "Core/Look/ValueRange.h"
 #include "Frame/Frame.h"
-
-#include <vector>
 
 namespace varimarch
 {
 
-// World lengths that bound the steps of a frame, over all of its volumes, and values that do.
+// World lengths that bound the steps of a frame, over all of its volumes.
 
 /// The smallest distance of two neighbouring voxels [mm].
 double SmallestSpacingMm(const Frame& frame);
@@ -34,10 +31,6 @@ double ShortestSampleDistanceMm(const Frame& frame, Marcher marcher);
 /// An upper bound of the number of segments of a ray: the samples along the diagonal plus the voxel
 /// faces that a ray can cross.
 int MostSegments(const Frame& frame, double sampleDistanceMm);
-
-/// The values at which the frame's first volume is opaque, and beside which it is not: see
-/// OpaqueValues.
-std::vector<ValueRange> OpaqueValuesOf(const Frame& frame);
 
 }
 

@@ -5,8 +5,8 @@
 #include "Frame/FrameMeasures.h"
 #include "March/RayParametersBuilder.h"
 #include "March/SkyParameters.h"
+#include "Resources/ValueFocus.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace varimarch
@@ -119,18 +119,15 @@ Note DarkDenseMatter(const PlannedImage& image)
 }
 
 // Matter of opacity 1 ends light within less than any step.
-bool IsOpaqueInShadow(const Frame& frame)
+bool IsOpaqueInShadow(const VolumeMarch& march, VolumeResources& volume)
 {
-  return IsInWayOfLights(frame.settings) && !frame.settings.nearest &&
-    !OpaqueValuesOf(frame).empty();
+  return IsInWayOfLights(march.settings) && !march.settings.nearest &&
+    !OpaqueValuesOf(march.frame, volume.Blocks().Texels()).empty();
 }
 
 Note OpaqueMatterInShadow(const PlannedImage& image)
 {
-  const std::vector<Frame>& others = image.frame.others;
-  return NoteIf(
-    IsOpaqueInShadow(image.frame) || std::any_of(others.begin(), others.end(), IsOpaqueInShadow),
-    Error::UnknownLight,
+  return NoteIf(image.Any(IsOpaqueInShadow), Error::UnknownLight,
     "Single pixels at the edges of shadows may have any light, because matter of opacity 1 ends "
     "light within less than a step. Let the opacity stay below 1, as 0.999, or switch the shadows "
     "off. ");

@@ -4,6 +4,7 @@
 #include "Frame/FrameMeasures.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "March/SkyParameters.h"
+#include "Resources/ValueFocus.h"
 
 #include <algorithm>
 
@@ -66,17 +67,18 @@ double SupposedOrderOf(const RenderSettings& settings)
 // Beside opaque matter the extinction rises so steeply that two longer steps miss it together.
 constexpr double CoarsestBesideOpaqueVoxels = 0.25;
 
-bool HasOpaqueMatter(const VolumeMarch& march)
+bool HasOpaqueMatter(const VolumeMarch& march, const VolumeResources& volume)
 {
-  return march.settings.blend == Blend::Composite && !OpaqueValuesOf(march.frame).empty();
+  return march.settings.blend == Blend::Composite &&
+    !OpaqueValuesOf(march.frame, volume.Blocks().Texels()).empty();
 }
 
-StepRange RangeOf(const VolumeMarch& march)
+StepRange RangeOf(const VolumeMarch& march, const VolumeResources& volume)
 {
   const double voxelMm = SmallestSpacingMm(march.frame);
   double coarsestMm =
     CoarsestDistanceMm(march.frame, march.frame.cuts.boxGrid, LongestRayMm(march.frame));
-  if (HasOpaqueMatter(march))
+  if (HasOpaqueMatter(march, volume))
   {
     coarsestMm = std::min(coarsestMm, CoarsestBesideOpaqueVoxels * voxelMm);
   }
@@ -102,7 +104,7 @@ SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)
   const OpticalTable& table = volume.Materials().OpticalTables().Table();
   SearchFacts facts;
   facts.limit = march.plan.budget.StepLimit();
-  facts.range = RangeOf(march);
+  facts.range = RangeOf(march, volume);
   facts.firstMm = SmallestSpacingMm(march.frame);
   facts.usual = march.settings.integration;
   facts.choosesIntegration = march.plan.choosesIntegration;

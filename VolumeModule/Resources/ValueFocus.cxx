@@ -1,6 +1,8 @@
 #include "Resources/ValueFocus.h"
 
+#include "Core/Look/OpaqueValues.h"
 #include "Frame/FiniteRange.h"
+#include "Frame/PropertyTransferFunction.h"
 #include "Resources/MaterialTables.h"
 
 #include <algorithm>
@@ -79,6 +81,12 @@ Fingerprint ValueInputs(const Frame& frame)
   return Fingerprint(MaterialTableInputs(frame.material.property, frame.settings),
     frame.settings.blend, frame.settings.shading, frame.material.averagedRange,
     frame.material.isovalues);
+}
+
+std::vector<ValueRange> OpaqueValuesOf(const Frame& frame, const ScalarTexels& texels)
+{
+  return OpaqueValues(
+    TransferFunctionOf(frame.material.property), { texels.smallestScalar, texels.largestScalar });
 }
 
 void CheckReach(const ScalarTexels& texels, const OptionalRange& thatMatter)

@@ -20,6 +20,10 @@ Fingerprint ValueInputs(const Frame& frame);
 /// value does.
 ValueRange NearValues(const ValueRange& all, const std::optional<ValueRange>& thatMatter);
 
+/// The values at which a volume is opaque and beside which it has others: see OpaqueValues.
+/// @param texels  those of its first component
+std::vector<ValueRange> OpaqueValuesOf(const Frame& frame, const ScalarTexels& texels);
+
 /// Checks that values which matter are not limited to LargestNumber.
 /// @throws std::runtime_error with a sentence for the user, if they are
 void CheckReach(const ScalarTexels& texels, const std::optional<ValueRange>& thatMatter);

@@ -4,10 +4,10 @@
 
 #include "Core/Recipe/MaterialRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/FrameMeasures.h"
 #include "March/RayParametersBuilder.h"
 #include "March/VolumeParametersBuilder.h"
 #include "Readers/VoxelLayout.h"
+#include "Resources/ValueFocus.h"
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
@@ -116,7 +116,7 @@ bool EndsAtOpaqueValues(const VolumeMarch& march)
   return isOfValues && isPlain && settings.mask != Mask::Labels && !IsMixture(march.frame);
 }
 
-PacketOpaque OpaqueOf(const VolumeMarch& march, const OpticalTable& table)
+PacketOpaque OpaqueOf(const VolumeMarch& march, const VolumeResources& volume)
 {
   PacketOpaque opaque = {};
   if (!EndsAtOpaqueValues(march))
@@ -124,8 +124,9 @@ PacketOpaque OpaqueOf(const VolumeMarch& march, const OpticalTable& table)
     return opaque;
   }
   constexpr double Most = std::numeric_limits<float>::max();
+  const OpticalTable& table = volume.Materials().OpticalTables().Table();
   opaque.entry = float((table.lastValue - table.firstValue) / double(table.entries.size() - 1));
-  for (const ValueRange& range : OpaqueValuesOf(march.frame))
+  for (const ValueRange& range : OpaqueValuesOf(march.frame, volume.Blocks().Texels()))
   {
     if (opaque.count < PacketOpaque::MostRanges && range.upper - range.lower > 2.0 * opaque.entry)
     {
@@ -196,7 +197,7 @@ PacketScene PacketSceneOf(
   scene.shadows = volume.Light().Shadows(march, 0);
   scene.sky = volume.Light().Sky(march);
   scene.extreme = ExtremeOf(march, volume);
-  scene.opaque = OpaqueOf(march, volume.Materials().OpticalTables().Table());
+  scene.opaque = OpaqueOf(march, volume);
   scene.isMean = march.settings.blend == Blend::AverageIntensity;
   scene.steps = StepsOf(march, volume);
   scene.cuts = CutsOf(march, around);
