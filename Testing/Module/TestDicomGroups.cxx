@@ -34,6 +34,17 @@ protected:
     this->Write("slice" + std::to_string(number), elements);
   }
 
+  /// Writes slices 2.5 mm apart, which two acquisitions took in turns.
+  void WriteInTurns(double thicknessMm)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      this->WriteAt({ 0, 0, 2.5 * i }, i,
+        { { AcquisitionNumber, Text("IS", std::to_string(i % 2 + 1)) },
+          { SliceThickness, Decimals({ thicknessMm }) } });
+    }
+  }
+
   /// Writes slices at these heights [mm].
   void WriteHeights(const std::vector<double>& heightsMm)
   {
@@ -171,24 +182,14 @@ TEST_F(DicomGroups, TimesBetweenEachOthersSlicesAreNotMixed)
 
 TEST_F(DicomGroups, SlicesAcquiredInTurnsStayTogether)
 {
-  for (int i = 0; i < 8; ++i)
-  {
-    this->WriteAt({ 0, 0, 2.5 * i }, i,
-      { { AcquisitionNumber, Text("IS", std::to_string(i % 2 + 1)) },
-        { SliceThickness, Decimals({ 2.5 }) } });
-  }
+  this->WriteInTurns(2.5);
   EXPECT_EQ(this->Read()->GetDimensions()[2], 8) << this->Warnings();
   EXPECT_EQ(this->Warnings(), "");
 }
 
 TEST_F(DicomGroups, AcquisitionsBetweenThickSlicesAreTimes)
 {
-  for (int i = 0; i < 8; ++i)
-  {
-    this->WriteAt({ 0, 0, 2.5 * i }, i,
-      { { AcquisitionNumber, Text("IS", std::to_string(i % 2 + 1)) },
-        { SliceThickness, Decimals({ 5.0 }) } });
-  }
+  this->WriteInTurns(5.0);
   EXPECT_EQ(this->Read()->GetDimensions()[2], 4) << this->Warnings();
   EXPECT_EQ(this->reader->GetNumberOfTimes(), 2);
 }

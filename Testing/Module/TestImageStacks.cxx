@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace
@@ -263,32 +264,22 @@ TEST(ImageStacks, OtherPicturesAreNamedAndLeftOut)
   EXPECT_TRUE(Warns(reader, "cut.png"));
 }
 
-TEST(ImageStacks, NumbersBelowZeroComeFirst)
+TEST(ImageStacks, AreInTheOrderOfTheirNumbersAlsoBelowZero)
 {
-  const TemporaryFolder folder;
-  const StoredVolume volume = VolumeOfType(VTK_UNSIGNED_CHAR);
-  const char* const names[3] = { "z-10.png", "z-5.png", "z0.png" };
-  for (int slice = 0; slice < 3; ++slice)
+  const std::array<const char*, 3> below = { "z-10.png", "z-5.png", "z0.png" };
+  const std::array<const char*, 3> hyphens = { "z-5.png", "z-10.png", "z-20.png" }; // no signs
+  for (const std::array<const char*, 3>& names : { below, hyphens })
   {
-    WritePicture(folder.Path(names[slice]), volume, slice);
+    const TemporaryFolder folder;
+    const StoredVolume volume = VolumeOfType(VTK_UNSIGNED_CHAR);
+    for (int slice = 0; slice < 3; ++slice)
+    {
+      WritePicture(folder.Path(names[std::size_t(slice)]), volume, slice);
+    }
+    vtkNew<vtkVolumeFileReader> reader;
+    Read(reader, folder.Path(""));
+    ExpectValues(reader, volume.values);
   }
-  vtkNew<vtkVolumeFileReader> reader;
-  Read(reader, folder.Path(""));
-  ExpectValues(reader, volume.values);
-}
-
-TEST(ImageStacks, HyphensOfAllNamesAreNoSigns)
-{
-  const TemporaryFolder folder;
-  const StoredVolume volume = VolumeOfType(VTK_UNSIGNED_CHAR);
-  const char* const names[3] = { "z-5.png", "z-10.png", "z-20.png" };
-  for (int slice = 0; slice < 3; ++slice)
-  {
-    WritePicture(folder.Path(names[slice]), volume, slice);
-  }
-  vtkNew<vtkVolumeFileReader> reader;
-  Read(reader, folder.Path(""));
-  ExpectValues(reader, volume.values);
 }
 
 TEST(ImageStacks, ThePreviewOfSkyScanIsNoSliceAndItsLogHasTheVoxel)

@@ -1,5 +1,7 @@
 #include "Core/Look/OpticalTable.h"
 
+#include "Core/Look/OpaqueValues.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -108,22 +110,19 @@ TableSpan SpanOf(const TransferFunction& transferFunction, ValueRange values)
 }
 
 /// True if a curve rises to opacity 1 without a step and stays there, or falls from it.
-bool HasOpaqueRamp(const std::vector<OpacityNode>& nodes)
+bool HasOpaqueRamp(const TransferFunction& transferFunction)
 {
-  const auto isOpaque = [&](std::ptrdiff_t i)
-  { return i < 0 || i >= std::ptrdiff_t(nodes.size()) || !(nodes[std::size_t(i)].opacity < 1.0); };
-  for (std::ptrdiff_t i = 1; i < std::ptrdiff_t(nodes.size()); ++i)
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  const std::vector<Step> steps = transferFunction.Steps();
+  const auto isRamp = [&](double end)
   {
-    const bool isStep =
-      AreSidesOfStep(nodes[std::size_t(i) - 1].value, nodes[std::size_t(i)].value);
-    const bool rises = !isOpaque(i - 1) && isOpaque(i) && isOpaque(i + 1);
-    const bool falls = isOpaque(i - 2) && isOpaque(i - 1) && !isOpaque(i);
-    if (!isStep && (rises || falls))
-    {
-      return true;
-    }
-  }
-  return false;
+    return std::isfinite(end) &&
+      std::none_of(steps.begin(), steps.end(),
+        [&](const Step& step) { return end <= step.value && AreSidesOfStep(end, step.value); });
+  };
+  const std::vector<ValueRange> ranges = OpaqueValues(transferFunction, { -Infinity, Infinity });
+  return std::any_of(ranges.begin(), ranges.end(),
+    [&](const ValueRange& range) { return isRamp(range.lower) || isRamp(range.upper); });
 }
 
 /// A power of two with enough entries between neighbouring nodes, within the limits.
@@ -137,7 +136,7 @@ std::size_t EntryCount(const TableSpan& span, double finest,
   const double wanted = step
     ? span.Length() / finest + span.EntriesBeside()
     : EntriesPerNodeGap * span.Length() / transferFunction.SmallestNodeGap();
-  const bool isOpaque = HasOpaqueRamp(transferFunction.Opacities());
+  const bool isOpaque = HasOpaqueRamp(transferFunction);
   std::size_t count = step ? 2 : isOpaque ? std::min(EntriesOfOpaqueRamp, mostEntries) : 1024;
   while (double(count) < wanted && 2 * count <= mostEntries)
   {

@@ -57,6 +57,27 @@ int ScalarTypeOf(hid_t given)
   return ScalarTypeOf(numbers, std::int64_t(H5Tget_size(type)));
 }
 
+/// An attribute of an object in a file; its handle is invalid if there is none.
+struct OpenAttribute
+{
+  OpenAttribute(hid_t file, const std::string& path, const std::string& name)
+    : object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose)
+    , attribute(object >= 0 && H5Aexists(object, name.c_str()) > 0
+          ? H5Aopen(object, name.c_str(), H5P_DEFAULT)
+          : hid_t(-1),
+        H5Aclose)
+    , type(attribute >= 0 ? H5Aget_type(attribute) : hid_t(-1), H5Tclose)
+    , space(attribute >= 0 ? H5Aget_space(attribute) : hid_t(-1), H5Sclose)
+  {
+  }
+
+  SilentHdf5 silentHere;
+  Hdf5Handle object;
+  Hdf5Handle attribute;
+  Hdf5Handle type;
+  Hdf5Handle space;
+};
+
 /// The numbers of an attribute or a data set.
 std::vector<double> NumbersOf(hid_t space, hid_t type, const std::function<bool(double*)>& read)
 {
@@ -152,23 +173,19 @@ std::vector<std::string> Hdf5File::DataSets() const
 
 std::string Hdf5File::TextAttribute(const std::string& object, const std::string& name) const
 {
-  const SilentHdf5 silentHere;
-  const Hdf5Handle holder(H5Oopen(this->file, object.c_str(), H5P_DEFAULT), H5Oclose);
-  if (holder < 0 || H5Aexists(holder, name.c_str()) <= 0)
+  const OpenAttribute open(this->file, object, name);
+  if (open.attribute < 0)
   {
     return "";
   }
-  const Hdf5Handle attribute(H5Aopen(holder, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  const hssize_t count = H5Sget_simple_extent_npoints(open.space);
   constexpr std::size_t Longest = 4096;
-  const std::size_t length = H5Tget_size(type);
-  const bool isText = H5Tget_class(type) == H5T_STRING && count > 0;
-  if (isText && H5Tis_variable_str(type) > 0)
+  const std::size_t length = H5Tget_size(open.type);
+  const bool isText = H5Tget_class(open.type) == H5T_STRING && count > 0;
+  if (isText && H5Tis_variable_str(open.type) > 0)
   {
     char* text = nullptr;
-    const bool isRead = count == 1 && H5Aread(attribute, type, &text) >= 0 && text;
+    const bool isRead = count == 1 && H5Aread(open.attribute, open.type, &text) >= 0 && text;
     const std::string copy = isRead ? text : "";
     H5free_memory(text);
     return copy;
@@ -178,30 +195,27 @@ std::string Hdf5File::TextAttribute(const std::string& object, const std::string
     return "";
   }
   std::string text(length * std::size_t(count), '\0');
-  return H5Aread(attribute, type, text.data()) >= 0 ? text.substr(0, text.find('\0')) : "";
+  return H5Aread(open.attribute, open.type, text.data()) >= 0 ? text.substr(0, text.find('\0'))
+                                                              : "";
 }
 
 std::vector<std::string> Hdf5File::TextsAttribute(
   const std::string& object, const std::string& name) const
 {
-  const SilentHdf5 silentHere;
-  const Hdf5Handle holder(H5Oopen(this->file, object.c_str(), H5P_DEFAULT), H5Oclose);
-  if (holder < 0 || H5Aexists(holder, name.c_str()) <= 0)
+  const OpenAttribute open(this->file, object, name);
+  if (open.attribute < 0)
   {
     return {};
   }
-  const Hdf5Handle attribute(H5Aopen(holder, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  const hssize_t count = H5Sget_simple_extent_npoints(open.space);
   constexpr hssize_t Most = 4096;
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0 || count < 1 ||
+  if (H5Tget_class(open.type) != H5T_STRING || H5Tis_variable_str(open.type) <= 0 || count < 1 ||
     count > Most)
   {
     return {};
   }
   std::vector<char*> texts(std::size_t(count), nullptr);
-  if (H5Aread(attribute, type, texts.data()) < 0)
+  if (H5Aread(open.attribute, open.type, texts.data()) < 0)
   {
     return {};
   }
@@ -210,28 +224,23 @@ std::vector<std::string> Hdf5File::TextsAttribute(
   {
     copies.emplace_back(text ? text : "");
   }
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
+  H5Dvlen_reclaim(open.type, open.space, H5P_DEFAULT, texts.data());
   return copies;
 }
 
 std::vector<std::string> Hdf5File::ScalesOf(const std::string& dataSet) const
 {
-  const SilentHdf5 silentHere;
-  const char* const name = "DIMENSION_LIST";
-  const Hdf5Handle holder(H5Oopen(this->file, dataSet.c_str(), H5P_DEFAULT), H5Oclose);
-  if (holder < 0 || H5Aexists(holder, name) <= 0)
+  const OpenAttribute open(this->file, dataSet, "DIMENSION_LIST");
+  if (open.attribute < 0)
   {
     return {};
   }
-  const Hdf5Handle attribute(H5Aopen(holder, name, H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
-  const Hdf5Handle element(H5Tget_super(type), H5Tclose);
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
-  const bool areReferences = H5Tget_class(type) == H5T_VLEN && element >= 0 &&
+  const Hdf5Handle element(H5Tget_super(open.type), H5Tclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(open.space);
+  const bool areReferences = H5Tget_class(open.type) == H5T_VLEN && element >= 0 &&
     H5Tequal(element, H5T_STD_REF_OBJ) > 0 && count > 0 && count <= MostHdf5Axes;
   std::vector<hvl_t> lists(areReferences ? std::size_t(count) : 0, hvl_t{ 0, nullptr });
-  if (lists.empty() || H5Aread(attribute, type, lists.data()) < 0)
+  if (lists.empty() || H5Aread(open.attribute, open.type, lists.data()) < 0)
   {
     return {};
   }
@@ -239,30 +248,26 @@ std::vector<std::string> Hdf5File::ScalesOf(const std::string& dataSet) const
   for (const hvl_t& list : lists)
   {
     const Hdf5Handle scale(
-      list.len > 0 ? H5Rdereference2(holder, H5P_DEFAULT, H5R_OBJECT, list.p) : hid_t(-1),
+      list.len > 0 ? H5Rdereference2(open.object, H5P_DEFAULT, H5R_OBJECT, list.p) : hid_t(-1),
       H5Oclose);
     char path[256] = {};
     const bool isNamed = scale >= 0 && H5Iget_name(scale, path, sizeof(path)) > 0;
     scales.emplace_back(isNamed ? path : "");
   }
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, lists.data());
+  H5Dvlen_reclaim(open.type, open.space, H5P_DEFAULT, lists.data());
   return scales;
 }
 
 std::vector<double> Hdf5File::NumberAttribute(
   const std::string& object, const std::string& name) const
 {
-  const SilentHdf5 silentHere;
-  const Hdf5Handle holder(H5Oopen(this->file, object.c_str(), H5P_DEFAULT), H5Oclose);
-  if (holder < 0 || H5Aexists(holder, name.c_str()) <= 0)
+  const OpenAttribute open(this->file, object, name);
+  if (open.attribute < 0)
   {
     return {};
   }
-  const Hdf5Handle attribute(H5Aopen(holder, name.c_str(), H5P_DEFAULT), H5Aclose);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
-  return NumbersOf(space, type,
-    [&](double* numbers) { return H5Aread(attribute, H5T_NATIVE_DOUBLE, numbers) >= 0; });
+  return NumbersOf(open.space, open.type,
+    [&](double* numbers) { return H5Aread(open.attribute, H5T_NATIVE_DOUBLE, numbers) >= 0; });
 }
 
 std::vector<double> Hdf5File::Numbers(const std::string& dataSet) const
