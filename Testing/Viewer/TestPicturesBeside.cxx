@@ -341,18 +341,11 @@ TEST_F(PicturesBeside, LeaveNoImageOfAnotherScan)
   EXPECT_GT(paintsOfNothing, 0) << "the last image goes at once";
 }
 
-// With so much light no machine draws all rays of a moving image in time.
 TEST_F(PicturesBeside, AreMovingWhileTheUserTurnsTheView)
 {
   this->WriteTorso("large.vti", { 96, 84, 60 });
   this->View()->DrawInThread();
   this->Open("open", "large.vti");
-  this->Model()->Edit(ScenePart::Lights, "light",
-    [](Scene& scene)
-    {
-      scene.shadows = 1.0;
-      scene.occlusion.strength = 1.0;
-    });
   QStringList told;
   const QPoint middle = this->View()->rect().center();
   QTest::mousePress(this->View(), Qt::LeftButton, {}, middle);

@@ -5,12 +5,9 @@ Usage: test_seen.py VARIMARCH_VIEWER CASE
 Exit code 77, with a sentence, where a package is missing.
 """
 
-import bz2
-import contextlib
 import json
 import os
 import pathlib
-import signal
 import subprocess
 import sys
 import time
@@ -36,7 +33,8 @@ def write_head(folder, side=64):
     return path
 
 
-def write_series(folder, count=24, modality="MR", window=lambda i: None, uid="1.2.826.0.1.3680043.9.1"):
+def write_series(folder, count=24, modality="MR", window=lambda i: None, uid="1.2.826.0.1.3680043.9.1",
+                 photometric="MONOCHROME2"):
     """Axial images of DICOM with a bright square in a grey one."""
     import numpy
     from pydicom.dataset import Dataset, FileMetaDataset
@@ -58,7 +56,7 @@ def write_series(folder, count=24, modality="MR", window=lambda i: None, uid="1.
         image.PixelSpacing, image.SliceThickness = [3, 3], 4
         image.ImageOrientationPatient = [1, 0, 0, 0, 1, 0]
         image.ImagePositionPatient = [-96, -96, 4 * i]
-        image.SamplesPerPixel, image.PhotometricInterpretation = 1, "MONOCHROME2"
+        image.SamplesPerPixel, image.PhotometricInterpretation = 1, photometric
         image.BitsAllocated = image.BitsStored = 16
         image.HighBit, image.PixelRepresentation = 15, 0
         if window(i):
@@ -126,13 +124,8 @@ def difference_needs_the_whole_scene(desk, program, folder):
 
 
 def corner_says_what_is_seen(desk, program, folder):
-    """While the view moves its pixels have no bound, so the corner has a short word instead. With so
-    much light no machine draws a whole image in time."""
-    write_head(folder, 160)
-    scene = {"volume": {"file": "head.nrrd"}, "shadows": True, "occlusion": {"strength": 1},
-             "look": "ct-bone"}
-    (folder / "scene.json").write_text(json.dumps(scene))
-    viewer = Viewer(program, desk, folder / "scene.json")
+    """While the view moves its pixels have no bound, so the corner has a short word instead."""
+    viewer = Viewer(program, desk, write_head(folder, 160))
     at_rest = wait_for(lambda: viewer.report_width() > 90 and viewer.report_width(), "the bound is told at rest")
     desk.do("mousemove", 280, 450, "mousedown", 1)
     widths = []
@@ -156,6 +149,17 @@ def window_is_that_of_the_series(desk, program, folder):
     wait_for(lambda: has_slices(viewer), "there are slices")
     white = (viewer.see((slice(140, 260), slice(665, 790))) > 250).all(axis=2).mean()
     assert white < 0.4, f"{100 * white:.0f} % of the slice are white"
+    viewer.end()
+
+
+def smallest_values_may_be_white(desk, program, folder):
+    """The bright square of MONOCHROME2 is the dark one of MONOCHROME1."""
+    write_series(folder / "mr", photometric="MONOCHROME1")
+    viewer = Viewer(program, desk, folder / "mr")
+    wait_for(lambda: has_slices(viewer), "there are slices")
+    square = viewer.see((slice(180, 192), slice(708, 720))).mean()
+    around = viewer.see((slice(136, 146), slice(662, 672))).mean()
+    assert square < 60 < around, f"the square is {square:.0f}, and what is around it {around:.0f}"
     viewer.end()
 
 
@@ -215,30 +219,34 @@ def recent_scans_are_legible(desk, program, folder):
     viewer.end()
 
 
-def decoder_of(viewer):
-    found = subprocess.run(["pgrep", "-P", str(viewer.process.pid), "varimarch-decod"],
-                           capture_output=True, text=True)
-    return int(found.stdout.split()[0]) if found.stdout else None
+def is_stopped(process):
+    return pathlib.Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()[0] == "T"
 
 
 def quitting_ends_at_once(desk, program, folder):
-    """A scan is being read by a decoder that does not answer any more."""
-    header = ("ObjectType = Image\nNDims = 3\nDimSize = 800 800 800\nElementType = MET_UCHAR\n"
-              "ElementDataFile = LOCAL\n")
-    with bz2.open(folder / "scan.mha.bz2", "wb", compresslevel=1) as scan:
-        scan.write(header.encode())
-        for _ in range(800):
-            scan.write(bytes(800 * 800))
-    viewer = Viewer(program, desk, folder / "scan.mha.bz2")
-    decoder = wait_for(lambda: decoder_of(viewer), "the scan is being read")
-    os.kill(decoder, signal.SIGSTOP)
+    """A scan is being read from a disk that does not answer any more."""
+    source, mounted = folder / "source", folder / "mounted"
+    source.mkdir()
+    mounted.mkdir()
+    scan = mounted / write_head(source, 160).name
+    server = subprocess.Popen(
+        [sys.executable, "-B", pathlib.Path(__file__).parents[1] / "App/serve_until_stopped.py", source,
+         mounted], stderr=subprocess.DEVNULL)
     try:
+        while not os.path.ismount(mounted):
+            if server.poll() is not None:
+                print("FUSE cannot be used here.")
+                sys.exit(SKIPPED)
+            time.sleep(0.1)
+        viewer = Viewer(program, desk, scan)
+        wait_for(lambda: is_stopped(server), "the scan is being read")
         desk.do("key", "ctrl+q")
         # A thread that waits for its file was given ten seconds before.
         assert viewer.process.wait(timeout=8) == 0
     finally:
-        with contextlib.suppress(ProcessLookupError):  # it usually ends with the viewer
-            os.kill(decoder, signal.SIGKILL)
+        server.kill()
+        server.wait()
+        subprocess.run(["umount", "--lazy", mounted], check=False, stderr=subprocess.DEVNULL)
 
 
 def main():

@@ -83,11 +83,12 @@ QString Remedy(const PictureNumbers& ours)
                                     "memory:\nallow more in the menu File, or zoom in.");
 }
 
-// A bound of the error is told only if it holds for the pixels that are shown.
+// A bound of the error is told only if it holds for the pixels that are shown. Images of a moving
+// view have none, even those with a ray for each pixel: they leave ambient occlusion out.
 QString ErrorOf(const PictureNumbers& ours)
 {
   const bool isWhole = ours.averaged > 0 && ours.hasRayForEachPixel;
-  if (ours.isMoving && (ours.isOutOfDate || !isWhole))
+  if (ours.isMoving)
   {
     return Texts::tr("moving");
   }
