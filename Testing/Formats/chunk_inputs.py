@@ -177,7 +177,7 @@ def complex_data_of_hdf5_are_refused(folder):
     refused(folder / "a.h5", "none")
 
 
-# What varimarch writes.
+# Volumes that varimarch writes, read by other programs.
 
 
 def nifti_in_any_order(folder):

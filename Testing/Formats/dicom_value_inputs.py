@@ -78,7 +78,7 @@ def words_of_8_bit_pixels_in_big_endian(folder):
     agree(big, frames_by_pydicom(little, range(4)))
 
 
-# What is outside the image, and which side is white.
+# Padding outside the image, and images whose smallest values are white.
 
 
 def padding_of_inverse_images_stays_out_of_the_range(folder):

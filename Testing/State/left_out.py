@@ -1,6 +1,6 @@
 """Methods that change an object but no picture that a mapper draws, and why they are left out."""
 
-# For each reason the names of methods, some of them of one object only, whose blanks are "&".
+# For each reason the names of methods, some of them of one object only, with "_" for blanks.
 LEFT_OUT = {
     "observers and debugging": """
         AddObserver RemoveObserver RemoveObservers RemoveAllObservers DebugOn DebugOff SetDebug
@@ -34,8 +34,8 @@ LEFT_OUT = {
     "what crashes VTK's camera without a matrix, with which own.py tries it": """
         SetUseExplicitProjectionTransformMatrix UseExplicitProjectionTransformMatrixOn
         UseExplicitProjectionTransformMatrixOff""",
-    "what VTK's mapper draws instead, which several volumes of it do not survive": """
-        other&opacity.SetUseLogScale other&opacity.UseLogScaleOn other&opacity.UseLogScaleOff""",
+    "scenes of several volumes that VTK's own mapper has to draw, and may leave black": """
+        other_opacity.SetUseLogScale other_opacity.UseLogScaleOn other_opacity.UseLogScaleOff""",
     "eyes and scissors of headsets and of selections": """
         SetEyePosition SetEyeTransformMatrix SetScissorRect SetUseScissor""",
     "what keeps pixels of the picture before": """
@@ -49,6 +49,6 @@ LEFT_OUT = {
 def left_out(target, name):
     """The reason why a method is left out; nothing if it is not."""
     for reason, names in LEFT_OUT.items():
-        if name in names.split() or f"{target}.{name}".replace(" ", "&") in names.split():
+        if name in names.split() or f"{target}.{name}".replace(" ", "_") in names.split():
             return reason
     return None

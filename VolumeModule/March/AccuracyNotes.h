@@ -20,7 +20,7 @@ struct AccuracyNote
     UnknownLight ///< the same, of light; the sentence is told only with an error tolerance
   };
   Error error;
-  std::string sentence; ///< one or two, with what helps
+  std::string sentence; ///< one or two sentences, which end with what helps
 };
 
 /// The shortcomings of an image that is planned.
