@@ -105,12 +105,12 @@ TEST_F(RefiningView, TellsABoundOnlyOfPixelsThatHaveOne)
   EXPECT_EQ(report(), "error at most 1/64");
   numbers.isMoving = true;
   EXPECT_EQ(report(), "error at most 1/64") << "held still after a fine image";
-  numbers.hasRayForEachPixel = false;
+  numbers.isFine = false;
   EXPECT_EQ(report(), "moving");
   numbers.isMoving = false;
   EXPECT_EQ(report(), "refining, 0 %");
   numbers.isOutOfDate = true;
   EXPECT_EQ(report(), "out of date");
-  numbers.hasRayForEachPixel = true;
+  numbers.isFine = true;
   EXPECT_EQ(report(), "out of date");
 }

@@ -83,12 +83,11 @@ QString Remedy(const PictureNumbers& ours)
                                     "memory:\nallow more in the menu File, or zoom in.");
 }
 
-// A bound of the error is told only if it holds for the pixels that are shown. Images of a moving
-// view have none, even those with a ray for each pixel: they leave ambient occlusion out.
+// A bound of the error is told only if it holds for the pixels that are shown.
 QString ErrorOf(const PictureNumbers& ours)
 {
-  const bool isWhole = ours.averaged > 0 && ours.hasRayForEachPixel;
-  if (ours.isMoving)
+  const bool isWhole = ours.averaged > 0 && ours.isFine;
+  if (ours.isMoving && (ours.isOutOfDate || !isWhole))
   {
     return Texts::tr("moving");
   }
@@ -151,7 +150,7 @@ PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper)
     mapper->GetErrorToleranceIsKept(), mapper->GetEstimatedError() };
   const int level = mapper->GetUsedLevelOfDetail();
   numbers.isCoarse = level == vtkVariationFieldVolumeMapper::CoarseLevel;
-  numbers.hasRayForEachPixel = mapper->GetUsedImageSampleDistance() <= MostPixelsPerRay;
+  numbers.isFine = mapper->GetUsedImageSampleDistance() <= MostPixelsPerRay;
   if (level == vtkVariationFieldVolumeMapper::RefinedLevel)
   {
     const double bound = mapper->GetLevelErrorBound();

@@ -30,9 +30,11 @@ struct PictureNumbers
   bool voxelsFit = true;  ///< false if the fine voxels that are to come may not fit in the memory
   /// The reason why nothing is visible, see EmptyPicture.h; empty if something is.
   std::string reasonForNothing = {};
-  bool hasRayForEachPixel = true; ///< false for an image of fewer rays, whose pixels have no bound
-  bool isOutOfDate = false;       ///< true if the scene has changed since
-  bool isMoving = false;          ///< true while the user turns the view
+  /// False for an image whose pixels have no bound: one of fewer rays, or one of a moving view,
+  /// which leaves ambient occlusion out.
+  bool isFine = true;
+  bool isOutOfDate = false; ///< true if the scene has changed since
+  bool isMoving = false;    ///< true while the user turns the view
 };
 
 PictureNumbers NumbersOf(vtkVariationFieldVolumeMapper* mapper);

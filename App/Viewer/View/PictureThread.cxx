@@ -157,7 +157,7 @@ std::optional<ThreadPicture> ThreadView::Draw(Order order, const std::function<b
   picture.seconds = *seconds;
   picture.image = ImageOfBytes(this->view->Bytes()).convertToFormat(QImage::Format_RGB32);
   picture.numbers = NumbersOf(MapperOf(*this->view));
-  picture.numbers.hasRayForEachPixel &= size == wanted.pixels;
+  picture.numbers.isFine &= !isMoving;
   picture.numbers.reasonForNothing = isMoving ? "" : this->view->ReasonForNothing(order.scene);
   picture.mask = this->SharedMask();
   picture.wanted = wanted;

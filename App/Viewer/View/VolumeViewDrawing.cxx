@@ -200,6 +200,7 @@ std::optional<PictureNumbers> VolumeView::NumbersOfMapper()
   PictureNumbers numbers = NumbersOf(ours);
   numbers.reasonForNothing = this->reasonForNothing;
   numbers.isMoving = this->isTurning;
+  numbers.isFine &= !this->isTurning;
   return numbers;
 }
 
