@@ -4,6 +4,9 @@
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkActor.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkTransform.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
@@ -41,6 +44,18 @@ public:
     vtkNew<vtkUnsignedCharArray> rgb;
     this->scene.window->GetPixelData(0, 0, 63, 63, 0, rgb.Get(), 0);
     return std::vector<int>(rgb->Begin(), rgb->End());
+  }
+
+  void TurnFirstLight(double degrees)
+  {
+    vtkLight* const light =
+      vtkLight::SafeDownCast(this->scene.renderer->GetLights()->GetItemAsObject(0));
+    vtkNew<vtkTransform> turn;
+    turn->Translate(light->GetFocalPoint());
+    turn->RotateY(degrees);
+    turn->Translate(
+      -light->GetFocalPoint()[0], -light->GetFocalPoint()[1], -light->GetFocalPoint()[2]);
+    light->SetPosition(turn->TransformDoublePoint(light->GetPosition()));
   }
 
   int Searches() { return this->scene.mapper->GetToleranceSearches(); }
@@ -89,6 +104,28 @@ TEST(StepsBesideCasters, KeepTheErrorToleranceInMotion)
   torso.ball->AddPosition(-15.0, 12.0, 0.0);
   const std::vector<int> moved = torso.Draw();
   EXPECT_GT(PixelsBeyond(moved, first, 20), 20) << "the shadow is not seen";
+  torso.scene.mapper->SetErrorTolerance(1.0 / 512.0);
+  constexpr int ThousandthOfPixels = 4;
+  EXPECT_LE(PixelsBeyond(moved, torso.Draw(), 255 / 64 + 1), ThousandthOfPixels);
+}
+
+TEST(StepsBesideCasters, AreKeptWhileALightMovesAndFoundAtRest)
+{
+  TorsoAndBall torso;
+  torso.ball->VisibilityOff();
+  const std::vector<int> first = torso.Draw();
+  const int searches = torso.Searches();
+  std::vector<int> moved;
+  for (int i = 0; i < 3; ++i)
+  {
+    torso.TurnFirstLight(3.0);
+    moved = torso.Draw();
+    EXPECT_TRUE(torso.scene.mapper->GetErrorToleranceIsKept());
+  }
+  EXPECT_EQ(torso.Searches(), searches);
+  EXPECT_GT(PixelsBeyond(moved, first, 10), 20) << "the light does not move";
+  torso.Draw();
+  EXPECT_EQ(torso.Searches(), searches + 1) << "the light rests";
   torso.scene.mapper->SetErrorTolerance(1.0 / 512.0);
   constexpr int ThousandthOfPixels = 4;
   EXPECT_LE(PixelsBeyond(moved, torso.Draw(), 255 / 64 + 1), ThousandthOfPixels);

@@ -139,10 +139,14 @@ Fingerprint ExtinctionFingerprint(const Frame& frame)
     NumbersOf(frame.material).ofExtinction, frame.cuts, FunctionsOf(frame.material.property));
 }
 
+Fingerprint UnlitFingerprint(const Frame& frame)
+{
+  return Fingerprint(ExtinctionFingerprint(frame), NumbersOf(frame.material).others);
+}
+
 Fingerprint VolumeFingerprint(const Frame& frame)
 {
-  return Fingerprint(
-    ExtinctionFingerprint(frame), NumbersOf(frame.material).others, LightsOf(frame));
+  return Fingerprint(UnlitFingerprint(frame), LightsOf(frame));
 }
 
 Fingerprint ImageFingerprint(vtkVariationFieldVolumeMapper* mapper, const Frame& frame)

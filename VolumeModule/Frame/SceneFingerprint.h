@@ -16,8 +16,12 @@ Fingerprint VoxelFingerprint(const Frame& frame);
 /// Everything in a volume and its look that the part of a light depends on that it lets through.
 Fingerprint ExtinctionFingerprint(const Frame& frame);
 
-/// Everything in a volume and its look that an image depends on in any view. Changes by observers
-/// of vtkCommand::UpdateShaderEvent are not included.
+/// Everything in a volume and its transfer functions that an image depends on in any view and any
+/// light.
+Fingerprint UnlitFingerprint(const Frame& frame);
+
+/// Everything in a volume, its look and its lights that an image depends on in any view. Changes by
+/// observers of vtkCommand::UpdateShaderEvent are not included.
 Fingerprint VolumeFingerprint(const Frame& frame);
 
 /// The same with the view, the opaque geometry and all settings of the mapper: images with the same

@@ -19,6 +19,8 @@ constexpr std::array<double, 2> TriedParts = { 1.0, 0.9 };
 void ToleranceSearch::BeginImage(const ToleranceInputs& inputs)
 {
   this->viewRests = inputs.view == this->view;
+  this->lightsRest = inputs.lights == this->lights;
+  this->lights = inputs.lights;
   this->castersRest = inputs.casters == this->casters;
   this->casters = inputs.casters;
   const bool areNew = !this->voxels.IsEmpty() && inputs.voxels != this->voxels;
@@ -30,7 +32,8 @@ void ToleranceSearch::BeginImage(const ToleranceInputs& inputs)
 // The light of lattices that a search has found exact enough is compared with traced light again.
 bool ToleranceSearch::KeepsLight(Trial& trial, ToleranceChoice& choice)
 {
-  if (!trial.facts.keepsLight || choice.light.IsTraced())
+  const bool isInterpolated = trial.facts.keepsLight && !choice.light.IsTraced();
+  if (!isInterpolated && !(choice.light.sampleDistanceMm > 0.0))
   {
     return true;
   }
@@ -42,7 +45,10 @@ bool ToleranceSearch::KeepsLight(Trial& trial, ToleranceChoice& choice)
 const ToleranceChoice* ToleranceSearch::NearbyChoice(const ToleranceInputs& inputs) const
 {
   const auto isNearby = [&](const ToleranceChoice& made)
-  { return made.inputs.HasVolumesOf(inputs) && IsNear(made.searchedView, inputs.view); };
+  {
+    return made.inputs.HasVolumesOf(inputs) && IsNear(made.searchedView, inputs.view) &&
+      made.searchedLights.IsNear(inputs.lights);
+  };
   if (this->choice && isNearby(*this->choice))
   {
     return &*this->choice;
@@ -51,9 +57,10 @@ const ToleranceChoice* ToleranceSearch::NearbyChoice(const ToleranceInputs& inpu
   return found == this->remembered.end() ? nullptr : &*found;
 }
 
-// A nearby view shows almost the same, and geometry that moves changes the image at the edges of
-// its shadows, where packets bisect. A quarter of the rays of a search tell whether its steps still
-// keep the limit; if they did not, those of another search are not better.
+// A nearby view shows almost the same, a light that moves changes how bright it is, and geometry
+// that moves changes the image at the edges of its shadows, where packets bisect. A quarter of the
+// rays of a search tell whether its steps still keep the limit; if they did not, those of another
+// search are not better.
 std::optional<ToleranceChoice> ToleranceSearch::KeptChoice(
   Trial trial, const ToleranceInputs& inputs) const
 {

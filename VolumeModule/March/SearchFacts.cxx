@@ -111,6 +111,7 @@ SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)
   facts.preIntegratesByTable = !MarchesMaterial(march.settings);
   facts.hasLight = march.settings.shading || march.settings.occlusion;
   facts.isShaded = march.settings.shading;
+  facts.tracesLight = IsInWayOfLights(march.settings) || IsInWayOfSky(march.settings);
   facts.keepsLight = volume.Light().HasLattices() || !march.frame.others.empty();
   facts.lightOfLimit = march.plan.budget.LightOfLimit();
   facts.looksForPeaks = march.settings.blend == Blend::Composite &&

@@ -26,9 +26,11 @@ struct SearchFacts
   bool losesByTable = false;    ///< True if pre-integration's table may move edges.
   bool hasNodesInTable = false; ///< True if nodes lie closer together than that table's values.
   bool mayPreIntegrate = false; ///< False if the table's losses rule out pre-integration.
+  bool tracesLight = false;     ///< True if rays to lights or to all sides begin at samples.
   /// True if light may be interpolated in lattices, whose error no sample distance shows.
   bool keepsLight = false;
-  double lightOfLimit = 0.0;       ///< The error that they may add, in parts of the limit.
+  /// The error that lattices and longer steps of light may add, in parts of the limit.
+  double lightOfLimit = 0.0;
   double preIntegrationCost = 1.0; ///< The cost of a pre-integrated step, in midpoint steps.
 };
 

@@ -15,8 +15,8 @@ template <class Facts, class Merge>
 void ForEachFact(Facts& facts, Merge& merge)
 {
   auto& [limit, range, firstMm, usual, choosesIntegration, preIntegratesByTable, hasLight, isShaded,
-    looksForPeaks, hasNarrowPeaks, losesByTable, hasNodesInTable, mayPreIntegrate, keepsLight,
-    lightOfLimit, preIntegrationCost] = facts;
+    looksForPeaks, hasNarrowPeaks, losesByTable, hasNodesInTable, mayPreIntegrate, tracesLight,
+    keepsLight, lightOfLimit, preIntegrationCost] = facts;
   auto& [percentile999, largest] = limit;
   auto& [coarsest, finest, isOfHalfOctaves, supposedOrder] = range;
   merge.Least(percentile999);
@@ -36,6 +36,7 @@ void ForEachFact(Facts& facts, Merge& merge)
   merge.IfAny(losesByTable);
   merge.IfAny(hasNodesInTable);
   merge.IfAll(mayPreIntegrate);
+  merge.IfAny(tracesLight);
   merge.IfAny(keepsLight);
   merge.Least(lightOfLimit);
   merge.Greatest(preIntegrationCost);

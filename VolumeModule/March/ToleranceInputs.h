@@ -10,6 +10,26 @@
 namespace varimarch
 {
 
+/// The lights that the result of a tolerance search depends on.
+struct ToleranceLights
+{
+  Fingerprint colors; ///< All lights but for where they are.
+  std::vector<glm::vec3>
+    places; ///< The places or directions of lamps, and the axes of their cones.
+  std::vector<glm::vec3> towards; ///< The directions from the middle of the volumes to lamps.
+
+  /// Adds the lights of one volume.
+  void Add(const Frame& frame);
+
+  /// True if no lamp has moved by much.
+  bool IsNear(const ToleranceLights& other) const;
+  bool operator==(const ToleranceLights& other) const
+  {
+    return this->colors == other.colors && this->places == other.places;
+  }
+  bool operator!=(const ToleranceLights& other) const { return !(*this == other); }
+};
+
 /// Everything that the result of a tolerance search depends on.
 struct ToleranceInputs
 {
@@ -17,8 +37,9 @@ struct ToleranceInputs
   Fingerprint rule;                ///< Other inputs of the choice of the rule, without voxels.
   Fingerprint voxels;              ///< The voxels of each volume, and the values told apart.
   Fingerprint scene;               ///< Other inputs of the image in any view.
-  Fingerprint casters;             ///< The geometry that casts shadows on the volumes.
-  std::vector<CornersClip> view;   ///< The corners of the volumes in the view.
+  ToleranceLights lights;
+  Fingerprint casters;           ///< The geometry that casts shadows on the volumes.
+  std::vector<CornersClip> view; ///< The corners of the volumes in the view.
 
   /// Adds the inputs of one volume.
   void Add(const VolumeMarch& march, const VolumeResources& volume);
@@ -27,14 +48,16 @@ struct ToleranceInputs
   {
     return this->recipe == other.recipe && this->rule == other.rule;
   }
-  /// True if the scene is the same but for the places of geometry that casts shadows.
+  /// True if the scene is the same but for its lights and the places of geometry that casts
+  /// shadows.
   bool HasVolumesOf(const ToleranceInputs& other) const
   {
     return this->HasRuleOf(other) && this->voxels == other.voxels && this->scene == other.scene;
   }
   bool operator==(const ToleranceInputs& other) const
   {
-    return this->HasVolumesOf(other) && this->casters == other.casters && this->view == other.view;
+    return this->HasVolumesOf(other) && this->lights == other.lights &&
+      this->casters == other.casters && this->view == other.view;
   }
 };
 

@@ -113,6 +113,7 @@ void ToleranceSearch::Take(const ToleranceInputs& inputs, ToleranceChoice made)
   made.inputs = inputs;
   made.searchedMm = made.step.sampleDistance;
   made.searchedView = inputs.view;
+  made.searchedLights = inputs.lights;
   this->Remember();
   this->choice = std::move(made);
   ++this->searches;
@@ -166,8 +167,8 @@ ToleranceChoice ToleranceSearch::ChoiceOf(
   Trial& trial, const ToleranceInputs& inputs, Integration integration, const FoundSteps& found)
 {
   const StepChoice& step = found.choice;
-  return WithMissed(
-    trial, { inputs, integration, step, 0.0, {}, step.sampleDistance, inputs.view, false });
+  return WithMissed(trial,
+    { inputs, integration, step, 0.0, {}, step.sampleDistance, inputs.view, inputs.lights, false });
 }
 
 ToleranceChoice ToleranceSearch::WithMissed(Trial& trial, ToleranceChoice choice)
@@ -213,12 +214,12 @@ ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
     return choice;
   };
   ToleranceChoice choice = chooseIn({});
-  if (!trial.facts.keepsLight)
+  if (!trial.facts.tracesLight)
   {
     return choice;
   }
   const double most = trial.facts.lightOfLimit;
-  double ofLimit = KeptLightOfLimit(trial, choice);
+  double ofLimit = trial.facts.keepsLight ? KeptLightOfLimit(trial, choice) : 0.0;
   if (ofLimit > most)
   {
     const std::optional<LightSource> exact = ExactLight(trial, choice, ofLimit);
@@ -227,10 +228,39 @@ ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
   }
   if (ofLimit > most)
   {
-    return chooseIn({ 0.0, 0.0 });
+    choice = chooseIn({ 0.0, 0.0 });
+    ofLimit = 0.0;
   }
+  ofLimit = LengthenLight(trial, choice, ofLimit);
   choice.step.error += ofLimit * trial.facts.limit.percentile999;
   return choice;
+}
+
+double ToleranceSearch::LengthenLight(Trial& trial, ToleranceChoice& choice, double ofLimit)
+{
+  // The time of light is inverse to its distance, or to the root of it.
+  constexpr double Longer = 4.0;
+  constexpr int MostTimes = 2;
+  // Voxels that are read anew for each pass over the rays take longer than the steps.
+  if (!choice.step.KeepsLimit() || trial.facts.range.isOfHalfOctaves)
+  {
+    return ofLimit;
+  }
+  ToleranceChoice longer = choice;
+  longer.light.sampleDistanceMm = choice.step.sampleDistance;
+  for (int times = 0; times < MostTimes; ++times)
+  {
+    longer.light.sampleDistanceMm *= Longer;
+    const bool isInRange = longer.light.sampleDistanceMm <= trial.facts.range.coarsest;
+    const double ofLonger = isInRange ? KeptLightOfLimit(trial, longer) : 0.0;
+    if (!isInRange || ofLonger > trial.facts.lightOfLimit)
+    {
+      break;
+    }
+    choice.light = longer.light;
+    ofLimit = ofLonger;
+  }
+  return ofLimit;
 }
 
 // The error falls with the differences that are allowed between the nodes of a cell, unless the

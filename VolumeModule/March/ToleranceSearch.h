@@ -23,14 +23,15 @@ struct ToleranceChoice
   LightSource light = {};     ///< The way to the light of the image.
   double searchedMm = 0.0;    ///< The sample distance of the search that found it.
   std::vector<CornersClip> searchedView; ///< The view of that search.
+  ToleranceLights searchedLights;        ///< The lights of that search.
   bool isOfOther = false; ///< True if that search was for another image, and fewer rays tried it.
 };
 
 /// Finds the steps that keep a frame's error tolerance by drawing trial images with some of its
 /// rays, and reuses them as long as they are valid: Documentation/Decisions/0008. It remembers the
 /// choices for the last images, so that times that are played again and views that take turns are
-/// searched once. Some rays of each image have tried its choice: while a view or geometry moves,
-/// the steps stay if a quarter of the rays of a search confirm them.
+/// searched once. Some rays of each image have tried its choice: while a view, a light or geometry
+/// moves, the steps stay if a quarter of the rays of a search confirm them.
 class ToleranceSearch
 {
 public:
@@ -70,11 +71,12 @@ private:
 
   /// Finds out what has changed since the last image.
   void BeginImage(const ToleranceInputs& inputs);
-  /// The choice for an image whose view or geometry moves, if some rays confirm an earlier one.
+  /// The choice for an image whose view, lights or geometry move, if some rays confirm an earlier
+  /// one.
   std::optional<ToleranceChoice> KeptChoice(Trial trial, const ToleranceInputs& inputs) const;
   /// An earlier choice for nearly the same image; null if there is none.
   const ToleranceChoice* NearbyChoice(const ToleranceInputs& inputs) const;
-  bool IsAtRest() const { return this->viewRests && this->castersRest; }
+  bool IsAtRest() const { return this->viewRests && this->lightsRest && this->castersRest; }
   bool Serves(const ToleranceChoice& made, const ToleranceInputs& inputs) const;
   /// Takes an earlier choice for the image, if there is one.
   bool TakeRemembered(const ToleranceInputs& inputs);
@@ -90,7 +92,11 @@ private:
   /// @param ofLimit  the error of the light of the choice
   static std::optional<LightSource> ExactLight(
     Trial& trial, ToleranceChoice choice, double ofLimit);
-  /// The error of light that is interpolated in lattices.
+  /// Lets the light of a choice take longer steps than its image, as long as it is exact enough.
+  /// @param ofLimit  the error of the light of the choice
+  /// @return the same with the steps that it has then
+  static double LengthenLight(Trial& trial, ToleranceChoice& choice, double ofLimit);
+  /// The error of the light of a choice beside that of its sample distance.
   static double KeptLightOfLimit(Trial& trial, const ToleranceChoice& choice);
   /// True if light in lattices is exact enough; adds its error to the choice.
   static bool KeepsLight(Trial& trial, ToleranceChoice& choice);
@@ -114,6 +120,8 @@ private:
   std::list<ToleranceChoice> remembered; ///< Earlier choices, the last first.
   std::vector<CornersClip> view;         ///< The view of the last image with a tolerance.
   bool viewRests = false;                ///< True if the previous image had the same view.
+  ToleranceLights lights;                ///< The lights of the last image.
+  bool lightsRest = false;               ///< True if the previous image had the same lights.
   Fingerprint casters;                   ///< The geometry of the last image.
   bool castersRest = false;              ///< True if the previous image had the same geometry.
   Fingerprint voxels;                    ///< The voxels of the last image.
