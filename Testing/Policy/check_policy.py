@@ -4,7 +4,9 @@
 Usage: check_policy.py RULE. Checks the files that git tracks. Exit code 77: not a git tree.
 """
 
+import collections
 import pathlib
+import posixpath
 import re
 import subprocess
 import sys
@@ -18,8 +20,14 @@ TOP_LEVEL = set(
     SECURITY.md Testing VolumeModule demo.sh test.sh""".split()
 )
 LARGEST_FILE_BYTES = 1_000_000
-LONGEST_FILE_LINES = 400
-LONGEST_FUNCTION_LINES = 40
+LONGEST_FILE_LINES = 700
+LONGEST_FUNCTION_LINES = 60
+MOST_LEVELS_OF_CONTROL_FLOW = 3
+# Statements of today that are nested deeper. The number may only fall.
+MOST_DEEPER_STATEMENTS = 37
+LONGEST_HEADER_OF_ONE_FILE = 79
+# Headers of today that belong into the one file that includes them. The number may only fall.
+MOST_SMALL_HEADERS_OF_ONE_FILE = 201
 LONGEST_SUBJECT = 72
 MOST_FILES_WITHOUT_BODY = 5
 CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}
@@ -124,16 +132,34 @@ def cmake_example_is_tested():
 
 
 def files_are_short():
+    exempt = headers_of_vtk_classes()
     problems = []
     for path in tracked():
-        if path.suffix not in CODE and path.name != "CMakeLists.txt":
+        if path.suffix not in CODE and path.name != "CMakeLists.txt" or path in exempt:
             continue
-        length = len(text_of(path).splitlines())
-        if length > LONGEST_FILE_LINES:
+        lines = text_of(path).splitlines()
+        if len(lines) > LONGEST_FILE_LINES and not is_table(lines):
             problems.append(
-                f"{path}: {length} lines, {LONGEST_FILE_LINES} are allowed; split it by idea"
+                f"{path}: {len(lines)} lines, {LONGEST_FILE_LINES} are allowed; split it by idea"
             )
     return problems
+
+
+def headers_of_vtk_classes():
+    """Headers of the classes that VTK's macros install and wrap."""
+    found = re.compile(r"(?i)\bclasses\s+((?:vtk\w+\s*)+)")
+    return {
+        path.parent / f"{name}.h"
+        for path in tracked()
+        if path.name == "CMakeLists.txt"
+        for names in found.findall(text_of(path))
+        for name in names.split()
+    }
+
+
+def is_table(lines):
+    """True if most lines are rows: values in braces, or strings."""
+    return 2 * sum(line.lstrip().startswith(("{", '"')) for line in lines) > len(lines)
 
 
 def functions_are_short():
@@ -146,10 +172,12 @@ def functions_are_short():
             if line == "{":
                 start = number
             elif line == "}" and start is not None:
-                first, length = first_line_before(lines, start), number - start - 1
-                if length > LONGEST_FUNCTION_LINES and not opens_namespace(first):
+                first, body = first_line_before(lines, start), lines[start + 1 : number]
+                if len(body) > LONGEST_FUNCTION_LINES and not (
+                    opens_namespace(first) or is_table(body)
+                ):
                     problems.append(
-                        f"{path}:{start}: {first}: {length} lines, {LONGEST_FUNCTION_LINES} are "
+                        f"{path}:{start}: {first}: {len(body)} lines, {LONGEST_FUNCTION_LINES} are "
                         f"allowed; split it by idea"
                     )
                 start = None
@@ -168,6 +196,121 @@ def first_line_before(lines, brace):
 
 def opens_namespace(first_line):
     return re.match(r'namespace\b|extern "C"', first_line)
+
+
+def control_flow_is_shallow():
+    problems = [
+        f"{path}:{number}: {word} is nested {level} levels deep, {MOST_LEVELS_OF_CONTROL_FLOW} are "
+        "allowed; give the inner levels a function of their own"
+        for path in tracked(suffixes={".h", ".cxx", ".glsl"})
+        for number, level, word in ControlFlow(text_of(path)).statements
+        if level > MOST_LEVELS_OF_CONTROL_FLOW
+    ]
+    return ratchet(problems, "MOST_DEEPER_STATEMENTS")
+
+
+def ratchet(problems, limit):
+    """The problems if they are more than the exceptions that are left from before the rule."""
+    most = globals()[limit]
+    if len(problems) > most:
+        return problems + [f"{len(problems)} in all, {most} are allowed by {limit}"]
+    advice = f"; lower {limit} to it" if len(problems) < most else ""
+    print(f"Exceptions that are left: {len(problems)}{advice}")
+    return []
+
+
+class ControlFlow:
+    """Lines, levels and keywords of the statements of a text; "else if" has the level of its if."""
+
+    def __init__(self, text):
+        words = r"\b(?:if|for|while|do|switch|else)\b|[{}();]"
+        self.code = without_comments_and_strings(text)
+        self.tokens = [*re.finditer(words, self.code), *re.finditer("$", self.code)]
+        self.next = 0
+        self.statements = []
+        self.read_until("", 0)
+
+    def take(self, *words):
+        """Steps over the next token if it is one of the words, and returns it then."""
+        token = self.tokens[self.next]
+        if token.group() not in words:
+            return None
+        self.next += 1
+        return token
+
+    def read_statement(self, level):
+        """Reads a statement that stands in as many levels of others."""
+        if control := self.take("if", "for", "while", "do", "switch"):
+            self.read_control(control, level + 1)
+        elif self.take("{"):
+            self.read_until("}", level)
+        elif self.take("("):
+            self.read_until(")", level)
+            if self.tokens[self.next].group() not in (")", "}", ""):
+                self.read_statement(level)
+        else:
+            self.next += 1
+
+    def read_until(self, end, level):
+        while not self.take(end):
+            self.read_statement(level)
+
+    def read_control(self, control, level):
+        line = self.code.count("\n", 0, control.start()) + 1
+        self.statements.append((line, level, control.group()))
+        if self.take("("):
+            self.read_until(")", level)
+        self.read_statement(level)
+        if control.group() == "do":
+            self.take("while")
+        self.take(";")
+        if control.group() == "if" and self.take("else"):
+            is_chain = self.tokens[self.next].group() == "if"
+            self.read_statement(level - is_chain)
+
+
+def without_comments_and_strings(text):
+    """The text with the same lines, without comments, the contents of strings, and directives."""
+    comment = r"/\*.*?\*/|//[^\n]*"
+    string = r'R"\w*\(.*?\)\w*"|"(?:[^"\\\n]|\\.)*"'
+    letter = r"'(?:[^'\\\n]|\\.)'"
+    directive = r"(?m:^)[ \t]*#(?:\\\n|[^\n])*"
+    return re.sub(
+        f"{comment}|{string}|{letter}|{directive}",
+        lambda found: "\n" * found.group().count("\n"),
+        text,
+        flags=re.S,
+    )
+
+
+def small_headers_serve_several_files():
+    """A small header that one file includes, besides its own source, only cuts an idea in two."""
+    includers = collections.defaultdict(set)
+    files = {str(path) for path in tracked()}
+    for path in tracked(suffixes={".h", ".cxx", ".in"}):
+        for name in re.findall(r'#\s*include\s*[<"]([^">]+)[">]', text_of(path)):
+            for header in included_files(path, name, files):
+                includers[header].add(str(path))
+    exempt = headers_of_vtk_classes()
+    problems = []
+    for path in tracked(suffixes={".h"}):
+        others = includers[str(path)] - {str(path.with_suffix(".cxx"))}
+        length = len(text_of(path).splitlines())
+        if len(others) == 1 and length <= LONGEST_HEADER_OF_ONE_FILE and path not in exempt:
+            problems.append(
+                f"{path}: {length} lines that only {others.pop()} includes; move what it declares "
+                "there, with its source"
+            )
+    return ratchet(problems, "MOST_SMALL_HEADERS_OF_ONE_FILE")
+
+
+def included_files(path, name, files):
+    """The tracked files that an include directive can mean: beside the file, or below a root."""
+    for folder in (path.parent, "VolumeModule", "App", "."):
+        candidate = posixpath.normpath(posixpath.join(folder, name))
+        if candidate in files:
+            return [candidate]
+    return [file for file in files if file.endswith("/" + name)]
 
 
 def files_are_small():
@@ -270,10 +413,7 @@ def core_stands_alone():
 
 
 def public_headers_need_no_core():
-    classes = re.search(r"(?i)\bclasses\s+((?:vtk\w+\s*)+)", text_of("VolumeModule/CMakeLists.txt"))
-    if not classes:
-        return ["VolumeModule/CMakeLists.txt: no list of classes found; tell this rule where they went"]
-    headers = [f"VolumeModule/{name}.h" for name in classes.group(1).split()]
+    headers = sorted(headers_of_vtk_classes())
     return lines_matching(
         headers,
         r'#\s*include\s*[<"](Core/|glm/|tbb/|oneapi/)',
@@ -349,10 +489,7 @@ def type_names_are_unique():
 
 def types_defined_in(text):
     """The qualified names of the types that a file defines outside of unnamed namespaces."""
-    comment = r"/\*.*?\*/|//[^\n]*"
-    string = r'R"\w*\(.*?\)\w*"|"(?:[^"\\\n]|\\.)*"'
-    letter = r"'(?:[^'\\]|\\.)'"
-    code = re.sub(f"{comment}|{string}|{letter}", "", text, flags=re.S)
+    code = without_comments_and_strings(text)
     keyword = r"\b(?P<keyword>namespace|class|struct|union|enum(?: class)?)"
     name = r"(?:[A-Z]+_EXPORT\s+)?(?P<name>[\w:]+)?"
     bases = r"[^;{}()=<>]*(?:<[^;{}()]*)?"
