@@ -92,22 +92,22 @@
  * normal are left out. A volume, a camera, an isovalue or a transfer function that is not finite,
  * and a matrix without an inverse, are reported as errors, and nothing is drawn.
  *
- * How rays sample the volume is set by the methods of vtkSampledVolumeMapper, light, masks and
- * values that are missing by those of vtkMaterialVolumeMapper.
- *
- * @sa vtkSampledVolumeMapper vtkMaterialVolumeMapper vtkVolumeProperty
+ * @sa vtkVariationFieldGPUVolumeRayCastMapper vtkVolumeProperty
  */
 
 #ifndef vtkVariationFieldVolumeMapper_h
 #define vtkVariationFieldVolumeMapper_h
 
 #include "VarimarchVolumeModule.h" // For export macro
-#include "vtkMaterialVolumeMapper.h"
+#include "vtkSmartPointer.h"       // For MaskInput
+#include "vtkVolumeMapper.h"
 
 #include <memory> // For Internals
 #include <string> // For ReportOnce
 
 class vtkImageData;
+class vtkInformationDoubleKey;
+class vtkInformationIntegerKey;
 class vtkStringArray;
 
 namespace varimarch
@@ -115,12 +115,504 @@ namespace varimarch
 class SharedSearch;
 }
 
-class VARIMARCHVOLUME_EXPORT vtkVariationFieldVolumeMapper : public vtkMaterialVolumeMapper
+class VARIMARCHVOLUME_EXPORT vtkVariationFieldVolumeMapper : public vtkVolumeMapper
 {
 public:
   static vtkVariationFieldVolumeMapper* New();
-  vtkTypeMacro(vtkVariationFieldVolumeMapper, vtkMaterialVolumeMapper);
+  vtkTypeMacro(vtkVariationFieldVolumeMapper, vtkVolumeMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  // How rays sample the volume and the image.
+
+  enum AccelerationModes
+  {
+    Off,            ///< no field: all steps have the sample distance
+    CellField,      ///< blocks of cells in which values differ by at most VariationTolerance
+    VariationField, ///< the field published by Banquero, Ortiz and Rossi (2016), for comparison
+    OpticalField    ///< the field of the colours and opacities that the transfer function gives
+  };
+
+  ///@{
+  /**
+   * The field by which rays skip samples. OpticalField knows the transfer function: rays leave
+   * invisible parts at once and cross parts of constant look in one step, with an error of at most
+   * 1/255 in a premultiplied colour channel. For a maximum or minimum, rays skip what cannot change
+   * the extreme found so far; sums and averages skip only if they include all scalar values.
+   * VariationField is for linear interpolation only. It stores for each voxel the distance to the
+   * nearest voxel whose value differs by VariationTolerance or more, and a ray takes steps of that
+   * length. With PublishedSum this is the method that its authors published. Default: OpticalField.
+   */
+  vtkSetClampMacro(AccelerationMode, int, Off, OpticalField);
+  vtkGetMacro(AccelerationMode, int);
+  void SetAccelerationModeToOff() { this->SetAccelerationMode(Off); }
+  void SetAccelerationModeToCellField() { this->SetAccelerationMode(CellField); }
+  void SetAccelerationModeToVariationField() { this->SetAccelerationMode(VariationField); }
+  void SetAccelerationModeToOpticalField() { this->SetAccelerationMode(OpticalField); }
+  ///@}
+
+  ///@{
+  /**
+   * If OpenGL runs on the CPU, as Mesa's llvmpipe does, march rays in C++, in packets of rays,
+   * instead of in a shader. This is two to ten times as fast and follows the same rules, except
+   * that several components, overlapping volumes and rectilinear grids are integrated by midpoints
+   * only. It is fastest with AVX2. Default: on.
+   *
+   * Shaders still draw what packets do not support: slices; masks of other dimensions than the
+   * volume; transfer functions of two arrays; shaded volumes with non-finite values; user code;
+   * isosurfaces, averages and sums with nearest interpolation; and extremes, averages and sums of
+   * several components or of rectilinear grids, or with RenderToImage. They also draw with a limit
+   * set by MaximumGraphicsMemory.
+   *
+   * With a graphics card too, packets draw Shadows, AmbientOcclusion and scattered light that the
+   * volume dims. They keep light from one image to the next, and need no shader, which takes
+   * seconds to compile.
+   *
+   * Packets read 8 and 16 bit integers and finite floats in place. Voxels of several components, of
+   * other types, or with non-finite values are copied first.
+   */
+  vtkSetMacro(ProcessorMarching, vtkTypeBool);
+  vtkGetMacro(ProcessorMarching, vtkTypeBool);
+  vtkBooleanMacro(ProcessorMarching, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Largest difference between two values in a block that a ray may cross in one step, in units of
+   * the scalars. Affects CellField and VariationField only. A negative value means 1/256 of the
+   * scalars' range. Default: -1.
+   */
+  vtkSetMacro(VariationTolerance, double);
+  vtkGetMacro(VariationTolerance, double);
+  ///@}
+
+  enum IntegrationRules
+  {
+    Automatic,     ///< Midpoint, or PreIntegrated if it keeps the error tolerance in less time
+    Midpoint,      ///< second order: the segment has the value in its middle
+    PreIntegrated, ///< values are linear between samples, the transfer function is exact
+    Simpson,       ///< extinction is a parabola through three samples
+    PublishedSum,  ///< the sum of repeated samples of Banquero, Ortiz and Rossi (2016)
+    FirstHit       ///< MaximumNumberOfSteps samples behind the first of opacity above one half
+  };
+
+  ///@{
+  /**
+   * The rule that integrates a composite between samples. If opacity or colour depend on gradients
+   * or on several values, as shaded colours do, there are two rules: Midpoint, and one that is
+   * linear between samples and takes four parts per segment, which PreIntegrated and Simpson then
+   * mean. For these materials Automatic without an error tolerance is the latter, and PublishedSum
+   * and FirstHit, which are not defined for them, are an error; so they are for nearest
+   * interpolation and back to front. FirstHit searches in steps of an eighth of the sample
+   * distance, and draws nothing in front of what it finds. Default: Automatic.
+   */
+  vtkSetClampMacro(IntegrationRule, int, Automatic, FirstHit);
+  vtkGetMacro(IntegrationRule, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest accepted error of a pixel, in a premultiplied RGBA channel before the background is
+   * added, 0 to 1. Default: 1/64. While it is above 0 and AutoAdjustSampleDistances is on, the
+   * mapper chooses sample distance, integration rule, field tolerance and early termination such
+   * that 99.9 % of the pixels keep it and none exceeds twice this value. For 0, the sample distance
+   * and EarlyTerminationTransmittance have their own values.
+   *
+   * The error is estimated from a few thousand rays of each new view, at random places. In a nearby
+   * view of a moving camera a thousand rays confirm the last steps; if they do not, other steps are
+   * searched for. This costs 10 to 20 % of a frame's time. It is an estimate, not
+   * a proof: it may miss rays that just graze a hard surface, or a peak of opacity that is too
+   * narrow for any sample. A tolerance that 128 samples per voxel cannot keep is reported as a
+   * warning, and so is one that takes more than some seconds to search for because volumes dim
+   * light; GetErrorToleranceIsKept then returns false. An observer of vtkCommand::AbortCheckEvent
+   * of the window may stop the search, and an image of packets, at any time.
+   */
+  vtkSetClampMacro(ErrorTolerance, double, 0.0, 1.0);
+  vtkGetMacro(ErrorTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between samples along a ray [world units, mm], > 0. Default: 1. Used only while
+   * AutoAdjustSampleDistances is off. The volume's diagonal has at most 20000 samples in shaders,
+   * 10000 if they are shaded, and 80000 in packets; a shorter distance is lengthened to that, with
+   * a warning.
+   */
+  vtkSetClampMacro(SampleDistance, double, 1e-30, 1e30);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between samples along a ray in voxels: in units of the smallest spacing. If it is
+   * above 0, it replaces SampleDistance. Default: 0.
+   */
+  vtkSetClampMacro(SampleDistanceInVoxels, double, 0.0, 1e30);
+  vtkGetMacro(SampleDistanceInVoxels, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of sample distances after which a ray ends, from where it enters the volume or, inside
+   * of it, from the camera's near plane or FirstDistance on. For FirstHit, the number of samples.
+   * Ignored while AutoAdjustSampleDistances is on, because the sample distance is not known then.
+   * Not available for overlapping volumes. 0 is no limit. Default: 0.
+   */
+  vtkSetClampMacro(MaximumNumberOfSteps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfSteps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance from the eye at which rays begin [world units, mm], for a camera inside the volume:
+   * what is nearer is not drawn. With a parallel projection it is the distance from the plane of
+   * the camera's position. Default: 0.
+   */
+  vtkSetClampMacro(FirstDistance, double, 0.0, 1e30);
+  vtkGetMacro(FirstDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Set SampleDistance for each frame to VTK's choice for the input's spacing: half the mean
+   * spacing, less for volumes of few voxels (vtkVolumeMapper::SpacingAdjustedSampleDistance).
+   * Affects only frames drawn while AutoAdjustSampleDistances is off. Default: off.
+   */
+  vtkSetClampMacro(LockSampleDistanceToInputSpacing, vtkTypeBool, 0, 1);
+  vtkGetMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
+  vtkBooleanMacro(LockSampleDistanceToInputSpacing, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Let the mapper choose the sample distance: from the error tolerance or, if that is 0, as a
+   * fraction of the smallest voxel spacing in the world. Default: on.
+   */
+  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * A ray ends when less than this fraction of the light behind it would reach the eye, which is
+   * also the largest error of a premultiplied channel that this makes. Range [0, 1). Default:
+   * 1/1024. Not used while an error tolerance is in effect.
+   */
+  vtkSetClampMacro(EarlyTerminationTransmittance, double, 0.0, 0.999999);
+  vtkGetMacro(EarlyTerminationTransmittance, double);
+  ///@}
+
+  enum CompositingOrders
+  {
+    FrontToBack, ///< rays may end early and skip what is invisible
+    BackToFront  ///< whole rays at equal steps, for comparison
+  };
+
+  ///@{
+  /**
+   * The order in which the samples of a ray are composited. Both give the same image up to rounding
+   * and early termination. BackToFront takes neither a field nor early termination, integrates by
+   * midpoints, and is left to shaders. It applies to composites; overlapping volumes and voxels
+   * drawn as boxes are always composited front to back. Default: FrontToBack.
+   */
+  vtkSetClampMacro(CompositingOrder, int, FrontToBack, BackToFront);
+  vtkGetMacro(CompositingOrder, int);
+  void SetCompositingOrderToFrontToBack() { this->SetCompositingOrder(FrontToBack); }
+  void SetCompositingOrderToBackToFront() { this->SetCompositingOrder(BackToFront); }
+  ///@}
+
+  ///@{
+  /**
+   * Use a tricubic spline through the voxels where the property asks for linear interpolation. All
+   * voxels keep their values and edges show no staircase, but next to a sharp edge the spline
+   * overshoots, by up to a tenth of the step. Shading uses the spline's gradient. Each sample costs
+   * eight fetches, and each voxel takes four bytes of graphics memory and as much main memory. Not
+   * available for rectilinear grids, isosurfaces and non-finite voxels. Default: off.
+   */
+  vtkSetClampMacro(CubicInterpolation, vtkTypeBool, 0, 1);
+  vtkGetMacro(CubicInterpolation, vtkTypeBool);
+  vtkBooleanMacro(CubicInterpolation, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Keep the gradients of all voxels in a texture of 6 bytes per voxel, instead of computing each
+   * from six fetches. The image is the same but for the rounding of the gradients to 16 bits.
+   * Applies to volumes of one component where the image needs gradients, unless these are those of
+   * a spline, see clipping planes as surfaces, or belong to a rectilinear grid. Such images are
+   * left to shaders. Default: off.
+   */
+  vtkSetClampMacro(StoredGradients, vtkTypeBool, 0, 1);
+  vtkGetMacro(StoredGradients, vtkTypeBool);
+  vtkBooleanMacro(StoredGradients, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Offset the first sample of each ray by blue noise, which is the same in all frames. The rings
+   * that a long sample distance causes become fine grain. Default: off.
+   */
+  vtkSetClampMacro(UseJittering, vtkTypeBool, 0, 1);
+  vtkGetMacro(UseJittering, vtkTypeBool);
+  vtkBooleanMacro(UseJittering, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between rays on the screen [pixels], 0.1 to 100. Default: 1, one ray per pixel. With a
+   * larger distance, pixels between rays are interpolated, but not across edges of opaque geometry.
+   * With a smaller one, rounded to 1/2, 1/3 and so on, a pixel is the mean of its rays.
+   */
+  vtkSetClampMacro(ImageSampleDistance, float, 0.1f, 100.0f);
+  vtkGetMacro(ImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Range of the image sample distance [pixels] that the mapper chooses from during interaction.
+   * Interaction means: AutoAdjustSampleDistances is on and the volume's allocated render time is
+   * below 1 s, as with a desired update rate above 1 per second. The mapper then uses fewer rays
+   * and up to four times the error tolerance, depending on the time the last frames took. The first
+   * frame without interaction has full quality. Defaults: 1 and 10.
+   */
+  vtkSetClampMacro(MinimumImageSampleDistance, float, 0.1f, 100.0f);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkSetClampMacro(MaximumImageSampleDistance, float, 0.1f, 100.0f);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * Largest number of frames that are averaged while the scene does not change. Each Render() then
+   * shifts the rays inside their pixels, from the second frame on with a quarter of the error
+   * tolerance, and shows the mean of all frames so far: edges become smooth. Call Render() until
+   * GetAccumulatedPictures() returns this number; further calls add none. A change of anything
+   * visible begins again. Frames are not averaged during interaction, with an ImageSampleDistance
+   * other than 1, or if UpdateShaderEvent has an observer. A mapper averages those of one renderer
+   * and one eye: others that are drawn in turn begin again. Default: 1, off.
+   */
+  vtkSetClampMacro(MaximumAccumulatedPictures, int, 1, 65536);
+  vtkGetMacro(MaximumAccumulatedPictures, int);
+  ///@}
+
+  ///@{
+  /**
+   * Time limit of one Render() while the scene does not change [s]. Pixels that are not finished by
+   * then are shown at low resolution, and the next Render() continues, so that a program stays
+   * responsive. Call Render() until GetDrawnPart() returns 1. A change of anything visible begins
+   * again. There is no limit for frames that cannot be accumulated (see MaximumAccumulatedPictures)
+   * and for volumes drawn in blocks. Default: 0, no limit.
+   */
+  vtkSetClampMacro(LongestPartSeconds, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LongestPartSeconds, double);
+  ///@}
+
+  // What a vtkVolumeProperty does not describe: missing values, light that the volume dims, masks.
+
+  ///@{
+  /**
+   * Colour and opacity, each in [0, 1], of cells that touch a non-finite voxel (NaN or infinity). A
+   * composite draws them as a homogeneous, unshaded material with this opacity over one
+   * vtkVolumeProperty::ScalarOpacityUnitDistance; all other blend modes leave them out. The names
+   * are those of vtkLookupTable. The NaN colours of the property's functions are not used, because
+   * they are opaque by default. Defaults: opacity 0, colour (0.5, 0, 0).
+   */
+  vtkSetVector3Macro(NanColor, double);
+  vtkGetVector3Macro(NanColor, double);
+  vtkSetClampMacro(NanOpacity, double, 0.0, 1.0);
+  vtkGetMacro(NanOpacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * A gradient magnitude below which diffuse and specular light are reduced in proportion.
+   * A homogeneous material, whose gradient is noise, then keeps only its ambient light, and
+   * surfaces stand out. Units: scalar value per mean voxel spacing, as for gradient opacity.
+   * Applies to volumes of one component. Default: 0, no reduction. Source: Volt (2009).
+   */
+  vtkSetClampMacro(DampingGradient, double, 0.0, 1e30);
+  vtkGetMacro(DampingGradient, double);
+  ///@}
+
+  ///@{
+  /**
+   * Let the volume cast shadows on itself, and overlapping volumes on each other: the diffuse and
+   * specular light of each of the renderer's first eight lights that are not at the eye is
+   * multiplied by what the volumes between the light and the sample let through. Ambient light and
+   * lights at the eye cast none. Requires a composite with shading; volumes without shading cast
+   * shadows on others. The error tolerance holds for the image with its shadows, which takes about
+   * three times as long as without and, where shaders draw it, many times as long. The light that
+   * reaches the visible parts is kept while the volume, its look and a light stay, in up to an
+   * eighth of a byte for each voxel and light. Packets of rays on the processor draw
+   * those of a volume that does not fit into the graphics memory (see ProcessorMarching). Default:
+   * off.
+   *
+   * Opaque geometry casts shadows on the volume too: the faces of the renderer's visible actors,
+   * also in assemblies and outside the view, as far as their mappers' clipping planes leave them.
+   * Translucent actors, lines, points, wireframes, glyphs, a vtkSkybox and representations of
+   * widgets cast none (actors of a vtk3DWidget do), nor does a prop with the key CASTS_SHADOWS set
+   * to 0, nor more than two million triangles, nor a vtkDataSetMapper of other data than polygons
+   * before its first drawing, nor does geometry take away scattered light without Shadows.
+   *
+   * The same faces receive the shadows of the renderer's volumes: the colours that VTK has drawn
+   * are multiplied by the part of their light that is left, also those of lines or glyphs that lie
+   * on a face. Several volumes with mappers of their own leave their common shadow. The steps of
+   * that light are found for it, so that it keeps the error tolerance. Images during interaction
+   * have as many places of light as rays of the volume (see MinimumImageSampleDistance). Behind
+   * translucent geometry, peeled or not, what that adds keeps its light; it is drawn twice then.
+   * With RenderToImage the faces in the window are dimmed. A volume that has been drawn once with
+   * shadows and geometry keeps casting them when it leaves the view: it adds a vtkCuller to the
+   * renderer, so that vtkFrustumCoverageCuller does not leave it out. Shader code of the user, and
+   * shaders for overlapping volumes or blocks, leave all that out. So does a renderer that shows a
+   * volume of another mapper without depth peeling for volumes, or translucent geometry by a
+   * vtkRenderPass of the caller or beside UseShadows. VTK lets geometry cast shadows on geometry
+   * (vtkShadowMapPass).
+   */
+  vtkSetClampMacro(Shadows, vtkTypeBool, 0, 1);
+  vtkGetMacro(Shadows, vtkTypeBool);
+  vtkBooleanMacro(Shadows, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Strength of Shadows, [0, 1]: the part of what matter takes from a light that surfaces lack. At
+   * 0 there are no shadows. Scattered light is dimmed by all of it. Default: 1.
+   */
+  vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
+  vtkGetMacro(ShadowStrength, double);
+  ///@}
+
+  /**
+   * Softness of a light, a key of vtkLight::GetInformation() [degrees, 0 to 90]: half the angle of
+   * the cone that it comes from. Its shadows are the mean over twelve directions in that cone
+   * (Documentation/Mathematics.md) and take several times as long; highlights and scattering are
+   * those of its middle. Without the key a light is a point.
+   */
+  static vtkInformationDoubleKey* LIGHT_SOFTNESS();
+
+  /**
+   * Whether a prop of opaque geometry casts shadows on volumes, a key of
+   * vtkProp::GetPropertyKeys(): 0 if it casts none and receives none. Without the key it does.
+   */
+  static vtkInformationIntegerKey* CASTS_SHADOWS();
+
+  ///@{
+  /**
+   * Part of the diffuse and specular light that matter scatters, once, instead of reflecting it,
+   * [0, 2]; from 1 on all is scattered, as in VTK in the limit of short steps. Scattered light is
+   * the colour times the diffuse coefficient times the phase function of Henyey and Greenstein,
+   * whose mean over all directions is 1. Requires a composite with shading. Default: 0.
+   */
+  vtkSetClampMacro(VolumetricScatteringBlending, double, 0.0, 2.0);
+  vtkGetMacro(VolumetricScatteringBlending, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance over which the volume dims light before it is scattered, [0, 1]. As in VTK it is
+   * 1 - (1 - reach)^0.33 diagonals of the volume, and unlimited for 1. With Shadows it is unlimited
+   * for all light. Lights at the eye are not dimmed. Default: 0.
+   */
+  vtkSetClampMacro(GlobalIlluminationReach, double, 0.0, 1.0);
+  vtkGetMacro(GlobalIlluminationReach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Mean cosine of the angle by which scattering turns light, limited to [-0.99, 0.99]: light goes
+   * straight on near 1, back near -1, and to all sides alike at 0. Default: 0, which takes that of
+   * the volume's property, since VTK 9.2.
+   */
+  vtkSetClampMacro(ScatteringAnisotropy, double, -1.0, 1.0);
+  vtkGetMacro(ScatteringAnisotropy, double);
+  ///@}
+
+  ///@{
+  /**
+   * Strength of ambient occlusion, [0, 1]: how much darker a place is that sees little of what is
+   * around the volume. With the part V of the light from all around that matter within
+   * AmbientOcclusionReach lets through, all light of a sample is multiplied by
+   * V / (V + strength (1 - V)): at 1 light is reflected once, below that matter also reflects the
+   * light of other matter. V is that two voxels outside the surface of a sample
+   * (Documentation/Mathematics.md); a box of voxels without interpolation has that of its middle,
+   * and with LabelSurfaces a label has a surface of its own; so has each of several components,
+   * where the component changes that determines its opacity. The error tolerance holds for the
+   * image with its occlusion, which needs one: without a tolerance, and below 1/128, it takes very
+   * long. For composites, lit or not. Packets of rays on the processor draw it where they can (see
+   * ProcessorMarching), also with a graphics card, and keep the light while the volume and its look
+   * stay, in up to a byte for each voxel. Shaders draw the rest, such as gaps beside gradients, but
+   * not volumes that do not fit into graphics memory; they compute all light again in each image.
+   * Without a graphics card they may have to stop behind translucent matter; the mapper then warns
+   * that the tolerance may be missed. Images during interaction (see MinimumImageSampleDistance)
+   * leave occlusion out. Default: 0, no occlusion.
+   */
+  vtkSetClampMacro(AmbientOcclusion, double, 0.0, 1.0);
+  vtkGetMacro(AmbientOcclusion, double);
+  ///@}
+
+  ///@{
+  /**
+   * Distance beyond which matter does not occlude [mm]. Default: 0, which is 16 times the smallest
+   * distance between voxels.
+   */
+  vtkSetClampMacro(AmbientOcclusionReach, double, 0.0, 1e30);
+  vtkGetMacro(AmbientOcclusionReach, double);
+  ///@}
+
+  enum TypesOfMask
+  {
+    BinaryMaskType,
+    LabelMapMaskType
+  };
+
+  ///@{
+  /**
+   * An image of one component that spans the same box as the volume, at any resolution; each mask
+   * voxel fills the cube around it. Default: none. As in vtkGPUVolumeRayCastMapper, a binary mask
+   * limits all blend modes to where it is above 0. A label map (the default type) gives voxels the
+   * transfer functions of their label (vtkVolumeProperty::SetLabelColor, SetLabelScalarOpacity,
+   * SetLabelGradientOpacity), for composites of volumes of one component. Labels may have any
+   * value; a voxel whose label has no function is drawn as if it had no label.
+   */
+  void SetMaskInput(vtkImageData* mask);
+  vtkImageData* GetMaskInput();
+  vtkSetClampMacro(MaskType, int, BinaryMaskType, LabelMapMaskType);
+  vtkGetMacro(MaskType, int);
+  void SetMaskTypeToBinary() { this->SetMaskType(BinaryMaskType); }
+  void SetMaskTypeToLabelMap() { this->SetMaskType(LabelMapMaskType); }
+  ///@}
+
+  ///@{
+  /**
+   * Weight of the label's functions, [0, 1]; the volume's own functions have the rest. Default: 1.
+   */
+  vtkSetClampMacro(MaskBlendFactor, float, 0.0f, 1.0f);
+  vtkGetMacro(MaskBlendFactor, float);
+  ///@}
+
+  ///@{
+  /**
+   * Light voxels with a label as the surface of their label, so that a segment in tissue of its own
+   * brightness is not dark. Inside a label the light is that of a surface that faces the eye.
+   * Default: off, lit by the gradient of the scalars, as VTK does.
+   */
+  vtkSetMacro(LabelSurfaces, vtkTypeBool);
+  vtkGetMacro(LabelSurfaces, vtkTypeBool);
+  vtkBooleanMacro(LabelSurfaces, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the point data array that is the second argument of a two-dimensional transfer function
+   * (vtkVolumeProperty::SetTransferFunction2D). Default: none, which means the gradient magnitude,
+   * measured as for gradient opacity. The first and last points on each axis of the function's
+   * image are the ends of that argument's range.
+   */
+  vtkSetStringMacro(Transfer2DYAxisArray);
+  vtkGetStringMacro(Transfer2DYAxisArray);
+  ///@}
+
+  // Images, memory and levels, and what is known of the last image.
 
   /**
    * Estimated error of the integration steps, by some rays of the last frame, in a premultiplied
@@ -333,7 +825,7 @@ public:
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  using vtkMaterialVolumeMapper::GetBounds;
+  using vtkVolumeMapper::GetBounds;
   /**
    * The bounds of the input; null if they are not finite, so that VTK does not leave the volume out
    * without a word.
@@ -352,6 +844,42 @@ protected:
    */
   virtual void DrawFrame(vtkRenderer* renderer, vtkVolume* volume);
 
+  int AccelerationMode = OpticalField;
+  vtkTypeBool ProcessorMarching = 1;
+  int IntegrationRule = Automatic;
+  double ErrorTolerance = 1.0 / 64.0;
+  double VariationTolerance = -1.0;
+  double SampleDistance = 1.0;
+  double SampleDistanceInVoxels = 0.0;
+  int MaximumNumberOfSteps = 0;
+  double FirstDistance = 0.0;
+  vtkTypeBool AutoAdjustSampleDistances = 1;
+  vtkTypeBool LockSampleDistanceToInputSpacing = 0;
+  double EarlyTerminationTransmittance = 1.0 / 1024.0;
+  int CompositingOrder = FrontToBack;
+  vtkTypeBool CubicInterpolation = 0;
+  vtkTypeBool StoredGradients = 0;
+  vtkTypeBool UseJittering = 0;
+  float ImageSampleDistance = 1.0f;
+  int MaximumAccumulatedPictures = 1;
+  double LongestPartSeconds = 0.0;
+  float MinimumImageSampleDistance = 1.0f;
+  float MaximumImageSampleDistance = 10.0f;
+  double NanColor[3] = { 0.5, 0.0, 0.0 };
+  double NanOpacity = 0.0;
+  vtkSmartPointer<vtkImageData> MaskInput;
+  int MaskType = LabelMapMaskType;
+  float MaskBlendFactor = 1.0f;
+  vtkTypeBool LabelSurfaces = 0;
+  char* Transfer2DYAxisArray = nullptr;
+  double DampingGradient = 0.0;
+  vtkTypeBool Shadows = 0;
+  double ShadowStrength = 1.0;
+  double VolumetricScatteringBlending = 0.0;
+  double GlobalIlluminationReach = 0.0;
+  double ScatteringAnisotropy = 0.0;
+  double AmbientOcclusion = 0.0;
+  double AmbientOcclusionReach = 0.0;
   bool DrawFetchCounts = false;
   vtkIdType MaximumGraphicsMemory = 0;
   vtkIdType MaximumHostMemory = 0;

@@ -66,7 +66,7 @@ TEST(OddNumbers, OfLightsAreReplacedAndNamed)
       [](LitBall& s)
       {
         vtkNew<vtkInformation> keys;
-        keys->Set(vtkMaterialVolumeMapper::LIGHT_SOFTNESS(), NotANumber);
+        keys->Set(vtkVariationFieldVolumeMapper::LIGHT_SOFTNESS(), NotANumber);
         s.lamp->SetInformation(keys);
       } },
   };
