@@ -20,7 +20,6 @@
 #include "Viewer/Panels/VolumesPanel.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/CurvedView.h"
-#include "Viewer/View/DrawingTurns.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/ViewLayout.h"
 #include "Viewer/View/VolumeView.h"

@@ -8,7 +8,7 @@
 #include "Viewer/Model/PresetTitles.h"
 #include "Viewer/Model/StudyTimes.h"
 #include "Viewer/View/ComparisonView.h"
-#include "Viewer/View/Turntable.h"
+#include "Viewer/View/Movies.h"
 #include "Viewer/View/VolumeView.h"
 
 #include <QMenu>

@@ -9,8 +9,7 @@
 #include "Viewer/Reports/ScanReport.h"
 #include "Viewer/SaveDialog.h"
 #include "Viewer/View/ComparisonView.h"
-#include "Viewer/View/TimesMovie.h"
-#include "Viewer/View/Turntable.h"
+#include "Viewer/View/Movies.h"
 #include "Viewer/View/VolumeView.h"
 #include "Viewer/WaitCursor.h"
 

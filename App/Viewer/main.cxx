@@ -7,8 +7,8 @@
 #include "Viewer/Remote/RemoteControl.h"
 #include "Viewer/Theme.h"
 #include "Viewer/View/ComparisonView.h"
-#include "Viewer/View/OpenGLProblem.h"
 #include "Viewer/View/VolumeView.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -1,7 +1,7 @@
 // The comparison with VTK's mappers in the window.
 
 #include "TorsoWindow.h"
-#include "Viewer/View/StillPicture.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QApplication>
 #include <QLabel>

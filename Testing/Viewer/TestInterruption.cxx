@@ -10,8 +10,7 @@
 #include "Scene/VolumeWriters/VolumeWriters.h"
 #include "SmallStudy.h"
 #include "Viewer/Model/SessionFile.h"
-#include "Viewer/View/Mp4Movie.h"
-#include "Viewer/View/Turntable.h"
+#include "Viewer/View/Movies.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -7,8 +7,7 @@
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/SlabBar.h"
-#include "Viewer/View/LabelPlaces.h"
-#include "Viewer/View/MeasureOverlay.h"
+#include "Viewer/View/Overlay.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

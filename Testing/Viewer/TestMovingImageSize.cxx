@@ -1,6 +1,6 @@
 // The size of images while the view moves: large views keep their rate.
 
-#include "Viewer/View/MovingImageSize.h"
+#include "Viewer/View/PictureThread.h"
 
 #include <gtest/gtest.h>
 

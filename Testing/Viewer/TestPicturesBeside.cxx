@@ -3,7 +3,6 @@
 #include "Answers.h"
 #include "LoopGaps.h"
 #include "TorsoWindow.h"
-#include "Viewer/View/DrawingTurns.h"
 #include "Viewer/View/SliceView.h"
 
 #include <QDoubleSpinBox>

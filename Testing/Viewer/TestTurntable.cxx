@@ -3,7 +3,7 @@
 
 #include "SmallStudy.h"
 #include "Viewer/Model/TimeSpeed.h"
-#include "Viewer/View/Turntable.h"
+#include "Viewer/View/Movies.h"
 
 #include <QDir>
 #include <QElapsedTimer>

@@ -3,7 +3,6 @@
 
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"
-#include "Viewer/View/VolumeSurface.h"
 #include "Viewer/View/VolumeView.h"
 #include "Waiting.h"
 

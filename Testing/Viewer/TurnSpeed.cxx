@@ -8,9 +8,9 @@
 #include "PrivateSettings.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/View/ComparisonView.h"
-#include "Viewer/View/OpenGLProblem.h"
 #include "Viewer/View/ViewLayout.h"
 #include "Viewer/View/VolumeView.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -4,7 +4,7 @@
 #include "Viewer/Model/NumberText.h"
 #include "Viewer/Reports/PdfPages.h"
 #include "Viewer/SaveDialog.h"
-#include "Viewer/View/CurrentContext.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

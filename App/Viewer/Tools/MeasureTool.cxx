@@ -2,7 +2,7 @@
 
 #include "Scene/MeasureKinds.h"
 #include "Scene/WorldVector.h"
-#include "Viewer/View/MeasureOverlay.h"
+#include "Viewer/View/Overlay.h"
 
 #include <glm/geometric.hpp>
 

@@ -5,7 +5,7 @@
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/NumberText.h"
-#include "Viewer/View/MeasureOverlay.h"
+#include "Viewer/View/Overlay.h"
 #include "Viewer/View/SliceCorners.h"
 
 #include <QAction>

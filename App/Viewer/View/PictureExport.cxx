@@ -6,7 +6,6 @@
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/StudyTimes.h"
 #include "Viewer/SaveDialog.h"
-#include "Viewer/View/CurrentContext.h"
 #include "Viewer/View/Overlay.h"
 #include "Viewer/View/VtkPictures.h"
 

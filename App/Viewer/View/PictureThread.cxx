@@ -1,16 +1,19 @@
 #include "Viewer/View/PictureThread.h"
 
 #include "Scene/OffscreenView.h"
-#include "Viewer/View/ImageCopies.h"
-#include "Viewer/View/MovingImageSize.h"
+#include "Scene/SceneLights.h"
+#include "Viewer/Model/Study.h"
 #include "Viewer/View/VtkPictures.h"
 
 #include <QElapsedTimer>
 #include <QMetaObject>
 
 #include <vtkCallbackCommand.h>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <functional>
@@ -18,12 +21,58 @@
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace varimarch
 {
 
 namespace
 {
+
+/// Copies of images for another thread, each made once for each version and kept as long as it is
+/// asked for: whoever draws a copy knows by its address that nothing has changed.
+class ImageCopies
+{
+public:
+  using Make = std::function<vtkSmartPointer<vtkImageData>()>;
+
+  /// From Begin() to End(), copies are asked for. Those that are not are forgotten then.
+  void Begin();
+  void End();
+
+  /// @param make  makes a copy if there is none of this version
+  vtkSmartPointer<vtkImageData> Of(vtkImageData* source, int version, const Make& make);
+
+private:
+  struct Copy
+  {
+    vtkSmartPointer<vtkImageData> source; ///< kept, so that no other image has its address
+    int version;
+    vtkSmartPointer<vtkImageData> copy;
+  };
+
+  std::vector<Copy> before;
+  std::vector<Copy> used;
+};
+
+void ImageCopies::Begin()
+{
+  this->before = std::exchange(this->used, {});
+}
+
+// A copy that is no longer needed keeps the voxels of its volume.
+void ImageCopies::End()
+{
+  this->before.clear();
+}
+
+vtkSmartPointer<vtkImageData> ImageCopies::Of(vtkImageData* source, int version, const Make& make)
+{
+  const auto known = std::find_if(this->before.begin(), this->before.end(),
+    [&](const Copy& one) { return one.source == source && one.version == version; });
+  this->used.push_back({ source, version, known == this->before.end() ? make() : known->copy });
+  return this->used.back().copy;
+}
 
 // A picture that is no longer wanted takes at most this long; a search for steps is stopped.
 constexpr double LongestPartOfThreadSeconds = 0.1;
@@ -339,6 +388,141 @@ void PictureThread::TakePicture()
     this->last = std::move(picture);
     emit this->Drawn();
   }
+}
+
+ShownVoxels VoxelsOf(const Study& study)
+{
+  return { study.volume.image, study.labels, VoxelsOfOverlays(study) };
+}
+
+bool ShowPart(
+  ScenePart part, const Scene& scene, const ShownVoxels& voxels, ScenePipeline& pipeline)
+{
+  switch (part)
+  {
+    case ScenePart::Volume:
+      return ShowPart(ScenePart::Labels, scene, voxels, pipeline);
+    case ScenePart::Voxels:
+      pipeline.SetImage(voxels.volume);
+      return true;
+    case ScenePart::Look:
+      pipeline.SetLook(scene.look);
+      [[fallthrough]];
+    case ScenePart::Overlays:
+      pipeline.SetOverlays(scene.overlays, voxels.overlays);
+      return true;
+    case ScenePart::Lights:
+      pipeline.SetLighting(LightingOf(scene));
+      return true;
+    case ScenePart::Cuts:
+      pipeline.SetCuts(scene.cuts);
+      return true;
+    case ScenePart::Labels:
+      pipeline.SetLabels(voxels.labels);
+      [[fallthrough]];
+    case ScenePart::Segments:
+      if (scene.labels)
+      {
+        pipeline.SetSegments(scene.labels->segments);
+      }
+      pipeline.SetOverlays(scene.overlays, voxels.overlays);
+      return true;
+    case ScenePart::Render:
+      pipeline.SetRenderOptions(scene.render);
+      return true;
+    case ScenePart::Background:
+      pipeline.SetBackground(scene.background);
+      return true;
+    default:
+      return false;
+  }
+}
+
+vtkSmartPointer<vtkImageData> VolumeCopies::Of(const LoadedVolume& volume)
+{
+  this->ForgetReleased();
+  const auto known = std::find_if(this->copies.begin(), this->copies.end(),
+    [&](const Copy& one) { return one.source == volume.image; });
+  if (known != this->copies.end())
+  {
+    return known->copy;
+  }
+  this->copies.push_back({ volume.image, SharedCopy(volume) });
+  return this->copies.back().copy;
+}
+
+// Nobody else holds a source with one reference, so that its voxels are not needed any more.
+void VolumeCopies::ForgetReleased()
+{
+  this->copies.erase(std::remove_if(this->copies.begin(), this->copies.end(),
+                       [](const Copy& one) { return one.source->GetReferenceCount() == 1; }),
+    this->copies.end());
+}
+
+namespace
+{
+
+constexpr int CoarsestDivisor = 4;
+constexpr double FewestPixels = 1 << 18; // fewer would be seen
+constexpr double MostPixels = 1 << 21;   // before times are known
+
+// Fractions of the allocated time: an image is to leave the rest to its rays, and the limit for a
+// finer one.
+constexpr double Most = 0.4;
+constexpr double Spare = 0.2;
+constexpr double Smallest = 0.5;
+
+// Distances between rays [pixels of the image]: the most that an image is to have, and the limit
+// for a finer one, whose rays are at most twice as far apart.
+constexpr double MostRayDistance = 2.05;
+constexpr double SpareRayDistance = 1.0;
+
+double PixelsOf(const QSize& size, int divisor)
+{
+  return double(size.width()) * size.height() / (divisor * divisor);
+}
+
+}
+
+int MovingImageSize::DivisorFor(const QSize& wanted) const
+{
+  int used = this->divisor;
+  while (used < CoarsestDivisor && PixelsOf(wanted, used) > MostPixels)
+  {
+    ++used;
+  }
+  while (used > 1 && PixelsOf(wanted, used) < FewestPixels)
+  {
+    --used;
+  }
+  return used;
+}
+
+QSize MovingImageSize::Of(const QSize& wanted) const
+{
+  const int used = this->DivisorFor(wanted);
+  return { std::max(wanted.width() / used, 1), std::max(wanted.height() / used, 1) };
+}
+
+void MovingImageSize::Took(
+  const QSize& wanted, double seconds, double rayDistance, double allocatedSeconds)
+{
+  const int used = this->DivisorFor(wanted);
+  this->otherSeconds = seconds;
+  const double finer = used > 1 ? double(used * used) / ((used - 1) * (used - 1)) : 1.0;
+  if (seconds > Most * allocatedSeconds || rayDistance > MostRayDistance)
+  {
+    this->divisor = std::min(used + 1, CoarsestDivisor);
+  }
+  else if (seconds * finer < Spare * allocatedSeconds && rayDistance <= SpareRayDistance)
+  {
+    this->divisor = std::max(used - 1, 1);
+  }
+}
+
+double MovingImageSize::SecondsForRays(double allocatedSeconds) const
+{
+  return std::max(allocatedSeconds - this->otherSeconds, Smallest * allocatedSeconds);
 }
 
 }

@@ -1,10 +1,9 @@
 #ifndef Varimarch_Viewer_PictureThread_h
 #define Varimarch_Viewer_PictureThread_h
 
+#include "Scene/ScenePipeline.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/PictureReport.h"
-#include "Viewer/View/ShownParts.h"
-#include "Viewer/View/VolumeCopies.h"
 
 #include <QImage>
 #include <QObject>
@@ -15,9 +14,49 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace varimarch
 {
+
+/// The voxels that a pipeline draws.
+struct ShownVoxels
+{
+  vtkSmartPointer<vtkImageData> volume;
+  std::shared_ptr<const LabelMap> labels; ///< null without a segmentation
+  std::vector<OverlayVoxels> overlays;
+};
+
+/// The voxels of a study, not copied.
+ShownVoxels VoxelsOf(const Study& study);
+
+/// Takes a part of a scene into the pipeline that draws it. For a new volume the pipeline must be a
+/// new one of this scene.
+/// @return false for a part that no picture of the volume shows
+bool ShowPart(
+  ScenePart part, const Scene& scene, const ShownVoxels& voxels, ScenePipeline& pipeline);
+
+struct LoadedVolume;
+
+/// Copies of volumes for another thread, which share their voxels. A volume has one copy for as
+/// long as somebody else holds it: whoever draws a time again that was played before knows it by
+/// the copy.
+class VolumeCopies
+{
+public:
+  vtkSmartPointer<vtkImageData> Of(const LoadedVolume& volume);
+
+private:
+  struct Copy
+  {
+    vtkSmartPointer<vtkImageData> source;
+    vtkSmartPointer<vtkImageData> copy;
+  };
+
+  void ForgetReleased();
+
+  std::vector<Copy> copies;
+};
 
 /// The number of frames in the mean of a view at rest.
 constexpr int RefiningPictures = 8;
@@ -91,6 +130,32 @@ private:
   vtkSmartPointer<vtkImageData> copied; ///< the image whose copy the thread has
   int changes = 0;                      ///< number of changes that were taken
   std::optional<ThreadPicture> last;
+};
+
+/// Chooses the size of images that a thread draws while the view moves, so that a large view keeps
+/// its rate. The mapper casts fewer rays by itself, but images must still be filled, read back and
+/// copied, which takes time for every pixel. Both sides of an image are divided by a whole number.
+/// Pixels between rays that are far apart show nothing more, and take time from rays.
+class MovingImageSize
+{
+public:
+  /// @param wanted  pixels of the view
+  QSize Of(const QSize& wanted) const;
+
+  /// Records an image of that size.
+  /// @param seconds           its time for everything but its rays and the pixels between them [s]
+  /// @param rayDistance       between rays [pixels of the image], at least 1
+  /// @param allocatedSeconds  for the whole image
+  void Took(const QSize& wanted, double seconds, double rayDistance, double allocatedSeconds);
+
+  /// The time that is left for the rays of the next image [s]; never less than a half of all.
+  double SecondsForRays(double allocatedSeconds) const;
+
+private:
+  int DivisorFor(const QSize& wanted) const;
+
+  int divisor = 1;
+  double otherSeconds = 0.0; ///< the time of the last image for everything but its rays
 };
 
 }

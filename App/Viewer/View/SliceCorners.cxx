@@ -4,7 +4,7 @@
 #include "Scene/SliceNumber.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/NumberText.h"
-#include "Viewer/View/MeasureOverlay.h"
+#include "Viewer/View/Overlay.h"
 
 #include <QCoreApplication>
 #include <QPainter>

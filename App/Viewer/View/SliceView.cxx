@@ -1,19 +1,29 @@
 #include "Viewer/View/SliceView.h"
 
+#include "Scene/Placing.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePicking.h"
+#include "Scene/SceneVolumes.h"
+#include "Scene/SliceFusing.h"
 #include "Scene/SliceNumber.h"
+#include "Scene/SliceSegments.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/SliceWindows.h"
+#include "Viewer/View/Overlay.h"
 
+#include <QColor>
+#include <QImage>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QWheelEvent>
+#include <QWidget>
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -322,6 +332,271 @@ void SliceView::Scroll(double slices)
   this->SetCrosshair(
     NumbersOf(VectorOf(this->Crosshair()) + slices * stepMm * VectorOf(this->Axes().through)),
     SceneModel::NoGesture);
+}
+
+// The part of SliceView that draws.
+
+namespace
+{
+
+const QColor CrosshairColor(90, 200, 250, 170);
+
+}
+
+void SliceView::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.fillRect(this->rect(), Qt::black);
+  if (!this->model->CurrentStudy() || (this->turns && this->turns->Awaits(this)))
+  {
+    return;
+  }
+  this->DrawVoxels(painter);
+  this->DrawCrosshair(painter);
+  const std::vector<QRectF> taken =
+    DrawSliceCorners(painter, this->rect(), this->model->CurrentStudy()->volume.image,
+      { this->Request(), this->zoom.factor, this->corners });
+  this->DrawMeasuresOfSlice(painter, taken);
+  this->DrawBrush(painter);
+  if (this->hasFocus())
+  {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(CrosshairColor);
+    painter.drawRect(QRectF(this->rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  }
+}
+
+void SliceView::DrawVoxels(QPainter& painter) const
+{
+  // Render at the resolution of the screen.
+  SliceRequest request = this->Request();
+  const double ratio = this->devicePixelRatioF();
+  request.width = std::max(int(request.width * ratio), 1);
+  request.height = std::max(int(request.height * ratio), 1);
+  request.mmPerPixel /= ratio;
+  const Study& study = *this->model->CurrentStudy();
+  const std::vector<std::uint8_t> grays = SlicePicture(study.volume.image, request);
+  painter.drawImage(this->rect(),
+    QImage(grays.data(), request.width, request.height, request.width, QImage::Format_Grayscale8));
+  this->DrawOverlays(painter, request);
+  this->DrawSegments(painter, request);
+}
+
+// Segments lie over all volumes. Those of a hidden volume are hidden with it.
+void SliceView::DrawSegments(QPainter& painter, const SliceRequest& request) const
+{
+  const Scene& scene = this->model->CurrentScene();
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
+  {
+    const auto& labels = SceneLabelsOf(scene, volume);
+    if (labels && (volume == 0 || scene.overlays[volume - 1].visible))
+    {
+      const auto numbers = Placed(StudyOfVolume(*this->model->CurrentStudy(), volume).labels->image,
+        PlacementOf(scene, volume));
+      const std::vector<Rgba> colors = SliceSegments(numbers, labels->segments, request);
+      painter.drawImage(this->rect(),
+        QImage(colors.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
+    }
+  }
+}
+
+void SliceView::DrawOverlays(QPainter& painter, SliceRequest request) const
+{
+  const Scene& scene = this->model->CurrentScene();
+  for (std::size_t i = 0; i < scene.overlays.size(); ++i)
+  {
+    const OverlaidVolume& overlay = scene.overlays[i];
+    const Study& study = *this->model->CurrentStudy()->overlays[i];
+    if (!overlay.visible)
+    {
+      continue;
+    }
+    // A blend shows PET bright on dark, whatever its slices look like alone.
+    const auto windowLevel =
+      overlay.windowLevel.value_or(SuggestedGrays(study.volume, study.statistics).windowLevel);
+    request.window = windowLevel[0];
+    request.level = windowLevel[1];
+    request.inverted = false;
+    const bool isBlend = scene.slices.fusion == SliceFusion::Blend;
+    const std::vector<Rgba> pixels =
+      FusedPixels(Placed(study.volume.image, overlay.placement), request,
+        { overlay.sliceColors, isBlend ? scene.slices.fusionOpacity * overlay.opacity : 1.0,
+          scene.slices.fusion });
+    painter.drawImage(this->rect(),
+      QImage(pixels.data()->data(), request.width, request.height, QImage::Format_RGBA8888));
+  }
+}
+
+void SliceView::DrawMeasuresOfSlice(QPainter& painter, const std::vector<QRectF>& taken) const
+{
+  painter.setRenderHint(QPainter::Antialiasing);
+  DrawMeasures(painter,
+    { this->model->CurrentScene(), this->texts, this->model->CurrentStudy()->volume.image },
+    this->Frame(),
+    { [this](const auto& points) { return this->Shows(points); }, [](const auto&) { return false; },
+      taken });
+  this->measure.Paint(painter);
+}
+
+void SliceView::DrawCrosshair(QPainter& painter) const
+{
+  const double far = std::hypot(this->width(), this->height());
+  const CrosshairArms arms = this->Arms();
+  painter.setPen(CrosshairColor);
+  for (const QPointF& along : arms.Directions())
+  {
+    painter.drawLine(arms.Middle() - far * along, arms.Middle() + far * along);
+  }
+}
+
+void SliceView::DrawBrush(QPainter& painter) const
+{
+  if (this->segmentEditor && this->segmentEditor->IsBrush() && this->underMouse())
+  {
+    const double radius = this->segmentEditor->RadiusMm() / this->Placement().MmPerPixel();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(CrosshairColor);
+    painter.drawEllipse(this->pointer, radius, radius);
+  }
+}
+
+// The part of SliceView that knows which point of the patient is where.
+
+PictureFrame SliceView::Frame() const
+{
+  const SliceAxes axes = this->Axes();
+  const glm::dvec3 through = VectorOf(axes.through);
+  const auto sightLineAt = [this, through](const QPointF& place)
+  {
+    const glm::dvec3 point = VectorOf(*this->PointAt(place));
+    return SightLine{ point - through, point + through };
+  };
+  return { this->size(),
+    [this](const std::array<double, 3>& point) { return std::optional(this->PlaceOf(point)); },
+    sightLineAt, axes.right, NumbersOf(-VectorOf(axes.down)), NumbersOf(-through) };
+}
+
+std::optional<glm::dvec3> SliceView::Through() const
+{
+  return VectorOf(this->Axes().through);
+}
+
+// True for objects that reach into the slab, or within half a voxel of a single slice.
+bool SliceView::Shows(const std::vector<glm::dvec3>& points) const
+{
+  const double* const spacing = this->model->CurrentStudy()->volume.image->GetSpacing();
+  const double reachMm = 0.5 *
+    std::max(this->model->CurrentScene().slices.slabMm, *std::max_element(spacing, spacing + 3));
+  const glm::dvec3 through = VectorOf(this->Axes().through);
+  const double crosshairMm = glm::dot(VectorOf(this->Crosshair()), through);
+  double first = std::numeric_limits<double>::infinity();
+  double last = -first;
+  for (const glm::dvec3& point : points)
+  {
+    const double depth = glm::dot(point, through) - crosshairMm;
+    first = std::min(first, depth);
+    last = std::max(last, depth);
+  }
+  return first <= reachMm && last >= -reachMm;
+}
+
+void SliceView::AskForWords(const QPointF& place, const std::function<void(const QString&)>& take)
+{
+  AskForWordsOver(this, place, take);
+}
+
+std::optional<std::array<double, 3>> SliceView::PointAt(const QPointF& place) const
+{
+  return this->Placement().PointAt(place);
+}
+
+QPointF SliceView::PlaceOf(const std::array<double, 3>& pointMm) const
+{
+  return this->Placement().PlaceOf(pointMm);
+}
+
+SliceRequest SliceView::Request() const
+{
+  const SlicePlacement placement = this->Placement();
+  const SliceGrays grays = this->Grays();
+  const SliceSettings& slices = this->model->CurrentScene().slices;
+  return { this->plane, placement.MiddleMm(), placement.MmPerPixel(), this->width(), this->height(),
+    grays.windowLevel[0], grays.windowLevel[1], slices.slabMm, slices.slabBlend, grays.inverted,
+    slices.turn };
+}
+
+SlicePlacement SliceView::Placement() const
+{
+  return { this->model->CurrentStudy()->volume.image, this->Axes(), this->Crosshair(), this->size(),
+    this->zoom };
+}
+
+SliceAxes SliceView::Axes() const
+{
+  return AxesOf(this->plane, this->model->CurrentScene().slices.turn);
+}
+
+CrosshairArms SliceView::Arms() const
+{
+  return { this->plane, this->model->CurrentScene().slices.turn, this->Placement(),
+    this->Crosshair(), this->size() };
+}
+
+std::array<double, 3> SliceView::Crosshair() const
+{
+  return this->model->CurrentScene().slices.crosshairMm.value_or(
+    MiddleOf(this->model->CurrentStudy()->volume.image));
+}
+
+SliceGrays SliceView::Grays() const
+{
+  const auto study = this->model->CurrentStudy();
+  SliceGrays grays = SuggestedGrays(study->volume, study->statistics);
+  grays.windowLevel = this->model->CurrentScene().slices.windowLevel.value_or(grays.windowLevel);
+  return grays;
+}
+
+void SliceView::SetCrosshair(const std::array<double, 3>& pointMm, int ofGesture)
+{
+  this->model->Edit(
+    ScenePart::Slices, tr("move the crosshair"),
+    [&](Scene& scene) { scene.slices.crosshairMm = pointMm; }, ofGesture);
+}
+
+DrawingTurns::DrawingTurns(QObject* parent)
+  : QObject(parent)
+{
+  this->turn.setSingleShot(true);
+  connect(&this->turn, &QTimer::timeout, this, &DrawingTurns::PaintNext);
+}
+
+void DrawingTurns::Await(QWidget* widget)
+{
+  if (!this->Awaits(widget))
+  {
+    this->queue.push_back(widget);
+    this->turn.start(0);
+  }
+}
+
+bool DrawingTurns::Awaits(const QWidget* widget) const
+{
+  return std::find(this->queue.begin(), this->queue.end(), widget) != this->queue.end();
+}
+
+void DrawingTurns::PaintNext()
+{
+  const QPointer<QWidget> next = this->queue.front();
+  this->queue.pop_front();
+  if (!this->queue.empty())
+  {
+    this->turn.start(0);
+  }
+  if (next)
+  {
+    next->repaint();
+  }
 }
 
 }

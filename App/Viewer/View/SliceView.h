@@ -6,19 +6,46 @@
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Tools/MouseTools.h"
-#include "Viewer/View/CrosshairArms.h"
-#include "Viewer/View/DrawingTurns.h"
 #include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/SlicePlacement.h"
 
+#include <QObject>
 #include <QPoint>
+#include <QPointer>
+#include <QTimer>
 #include <QWidget>
 
 #include <array>
+#include <deque>
 #include <optional>
+
+class QWidget;
 
 namespace varimarch
 {
+
+/// Paints widgets whose images take long, each in a turn of the event loop of its own, so that the
+/// window reacts between them. Qt paints all widgets that have changed in one turn. A widget that
+/// awaits its turn should paint nothing that takes long.
+class DrawingTurns : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit DrawingTurns(QObject* parent = nullptr);
+
+  /// Puts a widget at the end of the queue, unless it is in it.
+  void Await(QWidget* widget);
+
+  /// True until the turn of the widget begins.
+  bool Awaits(const QWidget* widget) const;
+
+private:
+  void PaintNext();
+
+  std::deque<QPointer<QWidget>> queue;
+  QTimer turn;
+};
 
 /// A slice of the volume through the crosshair, which all slices share. The left button moves the
 /// crosshair, turns the other two planes by its arms, or measures, the right button drags window

@@ -1,9 +1,17 @@
 #include "Viewer/View/VolumeView.h"
 
 #include "March/Device/GraphicsReset.h"
-#include "Viewer/View/ShownParts.h"
-#include "Viewer/View/VolumeSurface.h"
+#include "Scene/Placing.h"
+#include "Scene/SceneCamera.h"
+#include "Scene/SceneCuts.h"
+#include "Scene/ScenePicking.h"
+#include "Scene/SceneVolumes.h"
+#include "Scene/WorldVector.h"
+#include "Viewer/Model/MeasureTexts.h"
+#include "Viewer/View/Overlay.h"
+#include "Viewer/View/PictureThread.h"
 
+#include <QGuiApplication>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -13,6 +21,7 @@
 #include <vtkEventQtSlotConnect.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
+#include <vtkInteractorStyle.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkVariationFieldVolumeMapper.h>
@@ -306,6 +315,226 @@ void VolumeView::SetReportSide(Qt::AlignmentFlag side)
 {
   this->reportSide = side;
   this->overlay->update();
+}
+
+// The part of VolumeView that keeps the camera of the view and that of the scene alike.
+
+namespace
+{
+
+// The view of a placement that has a clipping range keeps it; VTK's style adapts that of others.
+bool IsAt(const Camera& placement, vtkCamera* camera, bool adaptsClippingRange)
+{
+  std::array<double, 2> range;
+  camera->GetClippingRange(range.data());
+  return placement.pose == PoseOf(camera) &&
+    placement.parallel == (camera->GetParallelProjection() != 0) &&
+    (placement.clippingRangeMm ? *placement.clippingRangeMm == range : adaptsClippingRange);
+}
+
+}
+
+vtkInteractorStyle* VolumeView::Style()
+{
+  return vtkInteractorStyle::SafeDownCast(this->window->GetInteractor()->GetInteractorStyle());
+}
+
+void VolumeView::FollowCamera()
+{
+  if (IsAt(this->model->CurrentScene().camera, this->pipeline->Renderer()->GetActiveCamera(),
+        this->Style()->GetAutoAdjustCameraClippingRange() != 0))
+  {
+    return; // the change came from this view
+  }
+  this->TakeCamera();
+  // Two views that are compared turn together.
+  this->Draw(PicturesPerSecondWhileMoving);
+  this->pacer.RequestFine();
+}
+
+void VolumeView::TakeCamera()
+{
+  const Camera& camera = this->model->CurrentScene().camera;
+  this->Style()->SetAutoAdjustCameraClippingRange(!camera.clippingRangeMm);
+  this->pipeline->SetCamera(camera, this->Aspect());
+  this->Tell(ScenePart::Camera);
+}
+
+void VolumeView::BeginTurning()
+{
+  this->turning = NewGesture();
+  this->isTurning = true;
+  this->pacer.StopRefinement();
+}
+
+void VolumeView::EndTurning()
+{
+  this->isTurning = false;
+  this->pacer.RequestFine();
+  this->KeepCamera();
+}
+
+// Records the camera that the user turned as an undo step.
+void VolumeView::KeepCamera()
+{
+  if (!this->pipeline)
+  {
+    return;
+  }
+  vtkCamera* const camera = this->pipeline->Renderer()->GetActiveCamera();
+  const CameraPose pose = PoseOf(camera);
+  if (!(this->model->CurrentScene().camera.pose == pose))
+  {
+    this->model->Edit(
+      ScenePart::Camera, tr("turn the camera"), [&](Scene& scene) { scene.camera.pose = pose; },
+      this->turning);
+    this->Tell(ScenePart::Camera);
+    if (this->IsDrawnInThread())
+    {
+      this->Draw(PicturesPerSecondWhileMoving);
+    }
+  }
+}
+
+Camera VolumeView::CurrentCamera() const
+{
+  Camera camera = this->model->CurrentScene().camera;
+  camera.pose = PoseOf(this->pipeline->Renderer()->GetActiveCamera());
+  return camera;
+}
+
+double VolumeView::Aspect() const
+{
+  return this->size().isEmpty() ? 1.0 : double(this->width()) / this->height();
+}
+
+// The part of VolumeView that finds what is under the pointer.
+
+std::optional<std::array<double, 3>> VolumeView::PointAt(const QPointF& place) const
+{
+  const SightLine sight = this->Frame().sightLineAt(place);
+  return PointSeen(this->model->CurrentScene(), this->model->CurrentStudy()->volume.image,
+    NumbersOf(sight.nearest), NumbersOf(sight.farthest), this->Mask());
+}
+
+// The point of the edited volume that is seen if it is alone. The cuts are those of the first.
+std::optional<std::array<double, 3>> VolumeView::PointOfEdited(const QPointF& place) const
+{
+  const int edited = this->model->EditedVolume();
+  if (edited == 0)
+  {
+    return this->PointAt(place);
+  }
+  Scene scene = this->model->EditedScene();
+  scene.cuts.planes = PlanesOf(scene.cuts, this->model->CurrentStudy()->volume.image);
+  scene.cuts.box = SceneCuts().box;
+  const SightLine sight = this->Frame().sightLineAt(place);
+  return PointSeen(scene,
+    Placed(this->model->EditedStudy()->volume.image, PlacementOf(scene, edited)),
+    NumbersOf(sight.nearest), NumbersOf(sight.farthest));
+}
+
+void VolumeView::AskForWords(const QPointF& place, const std::function<void(const QString&)>& take)
+{
+  AskForWordsOver(this, place, take);
+}
+
+void VolumeView::Point(const QPointF& place)
+{
+  const std::optional<std::array<double, 3>> point = this->PointAt(place);
+  emit this->Pointed(point
+      ? PointText(this->model->CurrentScene(), *this->model->CurrentStudy(), *point)
+      : QString());
+}
+
+// True if the event is a press that adds a region to a segment.
+bool VolumeView::PressSegment(QEvent* event)
+{
+  const bool isPress = event->type() == QEvent::MouseButtonPress;
+  const auto* const mouse = isPress ? static_cast<QMouseEvent*>(event) : nullptr;
+  if (!mouse || mouse->button() != Qt::LeftButton || !this->segmentEditor ||
+    !this->segmentEditor->TakesVolume())
+  {
+    return false;
+  }
+  if (const auto point = this->PointOfEdited(mouse->localPos()))
+  {
+    this->segmentEditor->AddRegion(*point);
+  }
+  return true;
+}
+
+namespace
+{
+
+constexpr int StillMilliseconds = 250;
+constexpr int RefinementMilliseconds = 20; // between the parts, for other events
+
+void Prepare(QTimer& timer, int milliseconds)
+{
+  timer.setSingleShot(true);
+  timer.setInterval(milliseconds);
+}
+
+// Calls an action when the timer ends and no mouse button is held.
+template <class Action>
+void WhenReleased(QTimer& timer, const Action& action)
+{
+  QObject::connect(&timer, &QTimer::timeout, &timer,
+    [&timer, action]
+    {
+      if (QGuiApplication::mouseButtons() == Qt::NoButton)
+      {
+        action();
+      }
+      else
+      {
+        timer.start();
+      }
+    });
+}
+
+}
+
+FramePacer::FramePacer(QObject* parent)
+  : QObject(parent)
+{
+  Prepare(this->quickFrame, 0);
+  Prepare(this->fineFrame, StillMilliseconds);
+  Prepare(this->refinement, RefinementMilliseconds);
+  connect(&this->quickFrame, &QTimer::timeout, this, &FramePacer::QuickFrameDue);
+  WhenReleased(this->fineFrame,
+    [this]
+    {
+      emit this->FineFrameDue();
+      this->refinement.start();
+    });
+  WhenReleased(this->refinement, [this] { emit this->RefinementDue(); });
+}
+
+void FramePacer::Request()
+{
+  this->quickFrame.start();
+  this->RequestFine();
+}
+
+void FramePacer::RequestFine()
+{
+  this->refinement.stop();
+  this->fineFrame.start();
+}
+
+VolumeSurface::VolumeSurface(QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+{
+  this->setAttribute(Qt::WA_TransparentForMouseEvents);
+  this->setFocusPolicy(Qt::NoFocus);
+}
+
+void VolumeSurface::initializeGL()
+{
+  QVTKOpenGLNativeWidget::initializeGL();
+  emit this->ContextIsNew();
 }
 
 }

@@ -5,15 +5,17 @@
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Tools/MouseTools.h"
-#include "Viewer/View/FramePacer.h"
 #include "Viewer/View/Overlay.h"
 #include "Viewer/View/PictureReport.h"
 #include "Viewer/View/PictureThread.h"
-#include "Viewer/View/StillPicture.h"
+#include "Viewer/View/VtkPictures.h"
 
 #include <QElapsedTimer>
 #include <QEvent>
+#include <QObject>
+#include <QTimer>
 #include <QVTKInteractorAdapter.h>
+#include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
 
 #include <vtkNew.h>
@@ -31,6 +33,38 @@ class vtkVariationFieldVolumeMapper;
 
 namespace varimarch
 {
+
+/// Decides when a view draws. Changes that arrive together cause one quick frame; when they stop, a
+/// fine frame follows, then its refinement while the program is idle. Fine frames and refinement
+/// take long, so they wait while a mouse button is held: gestures stay smooth.
+class FramePacer : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit FramePacer(QObject* parent = nullptr);
+
+  /// Requests a quick frame and a fine one after it, instead of further refinement.
+  void Request();
+
+  /// Requests the fine frame only, for a view whose quick frames are drawn by others.
+  void RequestFine();
+
+  /// Requests another step of refinement.
+  void RequestRefinement() { this->refinement.start(); }
+
+  void StopRefinement() { this->refinement.stop(); }
+
+signals:
+  void QuickFrameDue();
+  void FineFrameDue(); ///< the first step of refinement follows by itself
+  void RefinementDue();
+
+private:
+  QTimer quickFrame;
+  QTimer fineFrame;
+  QTimer refinement;
+};
 
 class VolumeSurface;
 
@@ -184,6 +218,24 @@ private:
   SegmentEditor* segmentEditor = nullptr; ///< null before it is set
   MouseTools tools;
   MeasureTexts texts; ///< labels of the measurements
+};
+
+/// The part of a view that OpenGL draws. Its view, which is its parent, takes the mouse and the
+/// keys. While it is visible, Qt composes the whole window by OpenGL, which takes long where the
+/// processor does that; so it is hidden where a thread draws the images.
+class VolumeSurface : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+
+public:
+  explicit VolumeSurface(QWidget* parent);
+
+signals:
+  /// There is an OpenGL context, the first one or another one after a reset of the graphics card.
+  void ContextIsNew();
+
+protected:
+  void initializeGL() override;
 };
 
 }

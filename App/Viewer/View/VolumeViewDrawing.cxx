@@ -5,7 +5,6 @@
 #include "Scene/EmptyPicture.h"
 #include "Scene/FloatCapture.h"
 #include "Viewer/Model/Log.h"
-#include "Viewer/View/VolumeSurface.h"
 #include "Viewer/WaitCursor.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
