@@ -3,8 +3,8 @@
 #include "Scene/ContentDigest.h"
 #include "Scene/OutputFile.h"
 #include "Scene/ReferenceRequest.h"
-
-#include <glm/gtc/type_ptr.hpp>
+#include "Scene/SceneFile.h"
+#include "Scene/VolumeProperty.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,151 +26,51 @@ namespace
 
 /// Version of the cache. Increase it when the reference gives another image for the same request,
 /// or when the file format changes.
-constexpr int version = 2;
+constexpr int version = 3;
 
-template <class Matrix>
-void AddMatrix(ContentDigest& digest, const Matrix& matrix)
+/// The scene with the defaults of what does not affect a reference image. What is forgotten here
+/// costs an integration, never a wrong image.
+Scene Essential(Scene scene, vtkImageData* image)
 {
-  digest.AddBytes(glm::value_ptr(matrix), sizeof(matrix));
+  scene.look = InUnitsOfData(scene.look, image);
+  scene.look.name.clear();
+  scene.look.description.clear();
+  if (!scene.look.shading.enabled)
+  {
+    scene.look.shading = { false };
+  }
+  const Scene usual;
+  scene.volume = usual.volume;
+  scene.slices = usual.slices;
+  scene.measures.clear();
+  scene.keyImages.clear();
+  scene.background = usual.background;
+  const Interpolation interpolation = scene.render.interpolation;
+  scene.render = usual.render;
+  scene.render.interpolation = interpolation;
+  return scene;
 }
 
-void AddShape(ContentDigest& digest, double value, const NodeShape& shape)
+/// The file name that identifies a request's image: a digest of the scene's JSON and of what the
+/// volume contributes. The rays are the scene's camera in front of this volume.
+std::string KeyOf(const Scene& scene, vtkImageData* image, const ReferenceRequest& request)
 {
-  digest.Add(value);
-  digest.Add(shape.midpoint);
-  digest.Add(shape.sharpness);
-}
-
-void AddOpacities(ContentDigest& digest, const std::vector<OpacityNode>& nodes)
-{
-  digest.Add(nodes.size());
-  for (const OpacityNode& node : nodes)
-  {
-    AddShape(digest, node.value, node.shape);
-    digest.Add(node.opacity);
-  }
-}
-
-void AddTransferFunction(ContentDigest& digest, const TransferFunction& transferFunction)
-{
-  digest.Add(transferFunction.Colors().size());
-  for (const ColorNode& node : transferFunction.Colors())
-  {
-    AddShape(digest, node.value, node.shape);
-    AddMatrix(digest, node.rgb);
-  }
-  AddOpacities(digest, transferFunction.Opacities());
-  digest.Add(transferFunction.OpacityUnitDistanceMm());
-}
-
-void AddRegions(ContentDigest& digest, const std::vector<LookRegion>& regions)
-{
-  digest.Add(regions.size());
-  for (const LookRegion& region : regions)
-  {
-    digest.Add(region.shape);
-    digest.Add(region.values[0]);
-    digest.Add(region.values[1]);
-    digest.Add(region.gradients[0]);
-    digest.Add(region.gradients[1]);
-    AddMatrix(digest, region.rgb);
-    digest.Add(region.opacity);
-    digest.Add(region.softness);
-  }
-}
-
-void AddLighting(ContentDigest& digest, const std::optional<ReferenceLighting>& lighting)
-{
-  digest.Add(lighting.has_value());
-  if (lighting)
-  {
-    digest.Add(lighting->shading.ambient);
-    digest.Add(lighting->shading.diffuse);
-    digest.Add(lighting->shading.specular);
-    digest.Add(lighting->shading.specularPower);
-    digest.Add(lighting->dampingGradient);
-    digest.Add(lighting->castsShadows);
-    digest.Add(lighting->surfacesInShadow);
-    digest.Add(lighting->reachMm);
-    digest.Add(lighting->scatteredPart);
-    digest.Add(lighting->anisotropy);
-    digest.Add(lighting->lights.size());
-    for (const PlacedLight& light : lighting->lights)
-    {
-      digest.Add(light.kind);
-      AddMatrix(digest, light.rgb);
-      AddMatrix(digest, light.place);
-      digest.Add(light.softnessDegrees);
-    }
-  }
-}
-
-void AddCuts(ContentDigest& digest, const ReferenceCuts& cuts)
-{
-  digest.Add(cuts.planesGrid.size());
-  for (const glm::dvec4& plane : cuts.planesGrid)
-  {
-    AddMatrix(digest, plane);
-  }
-  digest.Add(cuts.mask != nullptr);
-  if (cuts.mask)
-  {
-    digest.AddBytes(cuts.mask->GetScalarPointer(), std::size_t(cuts.mask->GetNumberOfPoints()));
-  }
-}
-
-void AddView(ContentDigest& digest, const ReferenceView& view)
-{
-  for (const glm::dvec4& start : view.rays.startGrid)
-  {
-    AddMatrix(digest, start);
-  }
-  for (const glm::dvec3& direction : view.rays.directionGrid)
-  {
-    AddMatrix(digest, direction);
-  }
-  AddMatrix(digest, view.rays.nearPlaneGrid);
-  AddMatrix(digest, view.rays.farPlaneGrid);
-  AddMatrix(digest, view.worldFromGridDirection);
-  digest.Add(view.width);
-  digest.Add(view.height);
-}
-
-/// The file name that identifies a request's image.
-std::string KeyOf(const ReferenceRequest& request)
-{
+  const std::string json = SceneText(Essential(scene, image));
   ContentDigest digest;
   digest.Add(version);
+  digest.Add(request.tolerance);
+  digest.AddBytes(json.data(), json.size());
+  digest.AddBytes(&request.geometry.dimensions, sizeof(request.geometry.dimensions));
+  digest.AddBytes(&request.geometry.worldFromGrid, sizeof(request.geometry.worldFromGrid));
+  digest.AddBytes(&request.view.rays, sizeof(request.view.rays));
   digest.Add(request.scalars->GetDataType());
   digest.AddBytes(request.scalars->GetVoidPointer(0),
     std::size_t(request.scalars->GetDataSize()) * request.scalars->GetDataTypeSize());
-  AddMatrix(digest, request.geometry.dimensions);
-  AddMatrix(digest, request.geometry.boxGrid.lower);
-  AddMatrix(digest, request.geometry.boxGrid.upper);
-  AddMatrix(digest, request.geometry.worldFromGrid);
-  AddMatrix(digest, request.geometry.gradientFactors);
-  digest.Add(request.meanSpacingMm);
-  AddTransferFunction(digest, request.transferFunction);
-  digest.Add(request.interpolation);
-  digest.Add(request.occlusion.strength);
-  digest.Add(request.occlusion.reachMm);
-  AddOpacities(digest, request.gradientOpacities);
-  AddRegions(digest, request.regions);
-  AddLighting(digest, request.lighting);
-  digest.Add(request.blend);
-  for (const double isovalue : request.isovalues)
+  if (request.cuts.mask)
   {
-    digest.Add(isovalue);
+    digest.AddBytes(
+      request.cuts.mask->GetScalarPointer(), std::size_t(request.cuts.mask->GetNumberOfPoints()));
   }
-  digest.Add(request.averagedRange.has_value());
-  if (request.averagedRange)
-  {
-    digest.Add(request.averagedRange->lower);
-    digest.Add(request.averagedRange->upper);
-  }
-  AddCuts(digest, request.cuts);
-  AddView(digest, request.view);
-  digest.Add(request.tolerance);
   return digest.Text();
 }
 
@@ -242,7 +142,7 @@ std::optional<ReferencePicture> ReferenceCache::Picture(
   {
     return DrawReferencePicture(request, progress);
   }
-  const std::string path = fs::path(this->folder) / KeyOf(request);
+  const std::string path = fs::path(this->folder) / KeyOf(scene, image, request);
   std::optional<ReferencePicture> picture =
     PictureIn(path, request.view.width, request.view.height);
   if (picture)

@@ -10,8 +10,8 @@ namespace varimarch
 {
 
 /// Reference images kept in a folder, so that each is computed once. The key is a digest of
-/// everything that an image depends on: voxels, geometry, transfer function, light, blend mode,
-/// rays, size and tolerance. Several processes may share a folder.
+/// the scene's JSON, without what does not affect the image, of voxels, rays and tolerance. Several
+/// processes may share a folder.
 class ReferenceCache
 {
 public:
