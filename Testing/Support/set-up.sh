@@ -12,7 +12,6 @@ packages=(
   libegl-dev libgl-dev libglew-dev
   python3-dev python3-numpy python3-vtk9 vtk9
   qtbase5-dev qttools5-dev qttools5-dev-tools qttranslations5-l10n libqt5svg5-dev libqt5sql5-sqlite libvtk9-qt-dev
-  libspdlog-dev
   libinsighttoolkit5-dev libdcmtk-dev
   # To draw without a graphics card
   libegl1 libgl1-mesa-dri

@@ -1,6 +1,10 @@
 #include "Viewer/Model/Log.h"
 
+#include <QDateTime>
 #include <QDir>
+#include <QFile>
+#include <QMutex>
+#include <QMutexLocker>
 #include <QSysInfo>
 #include <QtGlobal>
 
@@ -8,9 +12,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkVersion.h>
-
-#include <spdlog/sinks/rotating_file_sink.h>
-#include <spdlog/spdlog.h>
 
 #include <memory>
 #include <regex>
@@ -22,20 +23,78 @@ namespace varimarch
 namespace
 {
 
-constexpr std::size_t LargestFileBytes = 512 * 1024;
-constexpr std::size_t FilesBefore = 3;
-
-std::shared_ptr<spdlog::logger>& TheLog()
+/// A file of lines with their times. Once it is full, it becomes the first of the files before it.
+/// Any thread may add lines.
+class RotatingFile
 {
-  static std::shared_ptr<spdlog::logger> log;
+public:
+  explicit RotatingFile(const QString& path)
+    : file(path)
+  {
+    this->Open();
+  }
+
+  bool IsOpen() const { return this->file.isOpen(); }
+
+  void Add(const std::string& line)
+  {
+    const QMutexLocker lock(&this->mutex);
+    const QByteArray bytes =
+      QDateTime::currentDateTime().toString("[yyyy-MM-dd hh:mm:ss.zzz] ").toUtf8() +
+      QByteArray::fromStdString(line) + '\n';
+    if (this->file.size() + bytes.size() > LargestBytes)
+    {
+      this->Rotate();
+    }
+    if (this->file.isOpen()) // otherwise QFile would warn, and the warning be logged
+    {
+      this->file.write(bytes);
+      this->file.flush();
+    }
+  }
+
+private:
+  static constexpr qint64 LargestBytes = 512 * 1024;
+  static constexpr int FilesBefore = 3;
+
+  void Open() { this->file.open(QIODevice::WriteOnly | QIODevice::Append); }
+
+  /// The path of the file that was full so many files ago: "name.1.log".
+  QString PathBefore(int files) const
+  {
+    const QFileInfo info(this->file.fileName());
+    return files == 0
+      ? info.filePath()
+      : QString("%1/%2.%3.%4")
+          .arg(info.path(), info.completeBaseName(), QString::number(files), info.suffix());
+  }
+
+  void Rotate()
+  {
+    this->file.close();
+    QFile::remove(this->PathBefore(FilesBefore));
+    for (int files = FilesBefore; files > 0; --files)
+    {
+      QFile::rename(this->PathBefore(files - 1), this->PathBefore(files));
+    }
+    this->Open();
+  }
+
+  QMutex mutex;
+  QFile file;
+};
+
+std::unique_ptr<RotatingFile>& TheLog()
+{
+  static std::unique_ptr<RotatingFile> log;
   return log;
 }
 
 void Note(const std::string& line)
 {
-  if (const auto log = TheLog())
+  if (const auto& log = TheLog())
   {
-    log->info(line);
+    log->Add(line);
   }
 }
 
@@ -99,16 +158,10 @@ QString LogFileIn(const QString& folder)
 void StartLog(const QString& folder)
 {
   QDir().mkpath(folder);
-  try
+  TheLog() = std::make_unique<RotatingFile>(LogFileIn(folder));
+  if (!TheLog()->IsOpen())
   {
-    const auto sink = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(
-      LogFileIn(folder).toStdString(), LargestFileBytes, FilesBefore);
-    TheLog() = std::make_shared<spdlog::logger>("varimarch", sink);
-    TheLog()->flush_on(spdlog::level::info);
-  }
-  catch (const spdlog::spdlog_ex&)
-  {
-    // If the folder is not writable, the program runs without a log.
+    TheLog().reset(); // the folder is not writable: the program runs without a log
     return;
   }
   Note("program started on " + QSysInfo::prettyProductName().toStdString() + ", Qt " + qVersion() +
