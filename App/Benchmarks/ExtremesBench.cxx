@@ -1,6 +1,6 @@
 #include "ExtremesBench.h"
 
-#include "CommandLine/VtkMessages.h"
+#include "Readers/VtkMessages.h"
 #include "Scene/Median.h"
 #include "Stages/ExtremeScenes.h"
 
@@ -63,7 +63,8 @@ ExtremeResult ResultOf(VolumeStage& stage, MapperKind kind, const std::vector<fl
   {
     return { kind, false, {}, true, false, "", 0.0 };
   }
-  const VtkMessageScope messages;
+  VtkMessages messages;
+  messages.ObserveOutput();
   stage.UseMapper(kind);
   MillisecondsOfFrame(stage);
   std::vector<double> times;
@@ -75,7 +76,7 @@ ExtremeResult ResultOf(VolumeStage& stage, MapperKind kind, const std::vector<fl
   const bool isFinite =
     std::all_of(drawn.begin(), drawn.end(), [](float channel) { return std::isfinite(channel); });
   return { kind, true, CompareImages(drawn.data(), truth.data(), truth.size() / 4), isFinite,
-    IsAnythingIn(truth) && !IsAnythingIn(drawn), messages.First(), Median(times) };
+    IsAnythingIn(truth) && !IsAnythingIn(drawn), messages.FirstSentence(), Median(times) };
 }
 
 bool IsWanted(const std::string& name, const std::vector<std::string>& only)

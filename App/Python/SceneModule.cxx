@@ -206,9 +206,9 @@ Rendered RenderScene(const Scene& scene, vtkImageData* volume,
   OffscreenView view(scene, volume, MapperKind::Varimarch);
   view.Pipeline().SetLabels(labels);
   view.Pipeline().SetOverlays(scene.overlays, overlays);
-  messages.Take(view.Pipeline().Mapper());
-  messages.Take(view.Pipeline().Renderer());
-  messages.Take(view.Pipeline().Renderer()->GetRenderWindow());
+  messages.Observe(view.Pipeline().Mapper());
+  messages.Observe(view.Pipeline().Renderer());
+  messages.Observe(view.Pipeline().Renderer()->GetRenderWindow());
   view.RenderAll();
   const std::string reason = view.ReasonForNothing(scene);
   return { view.Bytes(), reason.empty() ? "" : "Nothing is visible: " + reason + "." };
@@ -267,9 +267,9 @@ PyObject* Render(PyObject*, PyObject* arguments)
       {
         return nullptr;
       }
-      if (!messages.Errors().empty())
+      if (const std::vector<std::string> errors = messages.Errors(); !errors.empty())
       {
-        throw std::runtime_error(messages.Errors().front());
+        throw std::runtime_error(errors.front());
       }
       if (!warning.empty() && !Warn({ warning }))
       {

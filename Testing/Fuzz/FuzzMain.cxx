@@ -3,10 +3,7 @@
 #include "Fuzz/FuzzTarget.h"
 
 #include "Readers/Decoder/DecoderSession.h"
-
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
+#include "Readers/VtkMessages.h"
 
 #include <csignal>
 #include <cstdint>
@@ -30,30 +27,16 @@ void PrintReason(const std::string& reason)
   dprintf(error, "%s", reason.c_str());
 }
 
-}
-
 /// Ends the program at a message of VTK, which a user would see beside the reader's own.
-class AbortingOutputWindow : public vtkOutputWindow
+void AbortAt(const varimarch::VtkMessage& message)
 {
-public:
-  static AbortingOutputWindow* New();
-  vtkTypeMacro(AbortingOutputWindow, vtkOutputWindow);
-
-  void DisplayText(const char* text) override
+  // VTK lets nobody observe the elements of its XML files.
+  if (message.text.find("vtkXMLDataElement") == std::string::npos)
   {
-    // VTK lets nobody observe the elements of its XML files.
-    if (std::string(text).find("vtkXMLDataElement") == std::string::npos)
-    {
-      PrintReason("VTK printed: " + std::string(text) + "\n");
-      std::abort();
-    }
+    PrintReason("VTK printed: " + message.text + "\n");
+    std::abort();
   }
-};
-
-vtkStandardNewMacro(AbortingOutputWindow);
-
-namespace
-{
+}
 
 const varimarch::FuzzTarget& Target()
 {
@@ -87,8 +70,8 @@ void LimitProcessorTime()
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
   PrintReason("");
-  vtkNew<AbortingOutputWindow> window;
-  vtkOutputWindow::SetInstance(window);
+  static varimarch::VtkMessages messages(&AbortAt);
+  messages.ObserveOutput();
   try
   {
     Target();

@@ -1,6 +1,8 @@
 #ifndef Varimarch_Testing_ExpectedVtkErrors_h
 #define Varimarch_Testing_ExpectedVtkErrors_h
 
+#include "Readers/VtkMessages.h"
+
 #include <string>
 #include <vector>
 
@@ -21,8 +23,8 @@ public:
   std::string Text() const;
 
 private:
-  friend class CollectingOutputWindow;
   std::vector<std::string> messages;
+  varimarch::VtkMessages caught;
 };
 
 #endif

@@ -1,57 +1,44 @@
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkLogger.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 
 #include <gtest/gtest.h>
 
 #include <iostream>
 
+using varimarch::VtkMessage;
+using varimarch::VtkMessages;
+
 namespace
 {
-ExpectedVtkErrors* currentExpectation = nullptr;
+
+// Prints what is neither an error nor a warning; false for these.
+bool PrintPlainText(const VtkMessage& message)
+{
+  const bool isPlain = message.kind == VtkMessage::Kind::Text;
+  std::cerr << (isPlain ? message.text : "");
+  return isPlain;
 }
 
-/// Turns messages that VTK would print into test failures, unless the test expects them.
-class CollectingOutputWindow : public vtkOutputWindow
-{
-public:
-  static CollectingOutputWindow* New();
-  vtkTypeMacro(CollectingOutputWindow, vtkOutputWindow);
-
-  void DisplayText(const char* text) override { std::cerr << text; }
-  void DisplayErrorText(const char* text) override { this->Take(text); }
-  void DisplayWarningText(const char* text) override { this->Take(text); }
-  void DisplayGenericWarningText(const char* text) override { this->Take(text); }
-
-private:
-  void Take(const char* text)
-  {
-    if (currentExpectation)
-    {
-      currentExpectation->messages.push_back(text);
-    }
-    else
-    {
-      ADD_FAILURE() << "VTK reported: " << text;
-    }
-  }
-};
-
-vtkStandardNewMacro(CollectingOutputWindow);
+}
 
 ExpectedVtkErrors::ExpectedVtkErrors()
+  : caught(
+      [this](const VtkMessage& message)
+      {
+        if (!PrintPlainText(message))
+        {
+          this->messages.push_back(message.text);
+        }
+      })
 {
-  currentExpectation = this;
+  this->caught.ObserveOutput();
   // VTK also logs each error, in a form that ctest takes for a failure.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 ExpectedVtkErrors::~ExpectedVtkErrors()
 {
-  currentExpectation = nullptr;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_INFO);
 }
 
@@ -65,12 +52,18 @@ std::string ExpectedVtkErrors::Text() const
   return all;
 }
 
+// Turns messages that VTK would print into test failures, unless the test expects them.
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);
-  vtkNew<CollectingOutputWindow> window;
-  vtkOutputWindow::SetInstance(window);
-  const int result = RUN_ALL_TESTS();
-  vtkOutputWindow::SetInstance(nullptr);
-  return result;
+  VtkMessages unexpected(
+    [](const VtkMessage& message)
+    {
+      if (!PrintPlainText(message))
+      {
+        ADD_FAILURE() << "VTK reported: " << message.text;
+      }
+    });
+  unexpected.ObserveOutput();
+  return RUN_ALL_TESTS();
 }

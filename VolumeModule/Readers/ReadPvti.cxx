@@ -27,7 +27,7 @@ std::vector<std::string> PiecesOf(const std::string& path)
 {
   VtkMessages messages;
   vtkNew<vtkXMLDataParser> parser;
-  messages.Take(parser);
+  messages.Observe(parser);
   parser->SetFileName(path.c_str());
   const bool isParsed = parser->Parse() != 0;
   vtkXMLDataElement* root = parser->GetRootElement();

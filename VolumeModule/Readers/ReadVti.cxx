@@ -169,16 +169,16 @@ vtkSmartPointer<vtkImageData> ReadVtiFile(const std::string& path, ReadProgress&
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetReaderErrorObserver(messages.Listener());
   reader->SetParserErrorObserver(messages.Listener());
-  messages.Take(reader);
-  messages.Take(reader->GetExecutive());
+  messages.Observe(reader);
+  messages.Observe(reader->GetExecutive());
   const ImageArray array = ReadHeader(path, reader, messages);
   SelectArray(reader, array);
   // The selection makes the reader parse the file again, with another parser and decompressor.
   reader->UpdateInformation();
-  messages.Take(reader->GetXMLParser());
+  messages.Observe(reader->GetXMLParser());
   if (vtkDataCompressor* compressor = reader->GetXMLParser()->GetCompressor())
   {
-    messages.Take(compressor);
+    messages.Observe(compressor);
   }
   UpdateWithProgress(reader, progress);
   vtkSmartPointer<vtkImageData> voxels = VoxelsOf(reader->GetOutput(), array);

@@ -21,7 +21,7 @@ vtkSmartPointer<vtkXMLDataElement> XmlFromText(
   }
   VtkMessages messages;
   vtkNew<vtkXMLDataParser> parser;
-  messages.Take(parser);
+  messages.Observe(parser);
   parser->SetIgnoreCharacterData(0);
   std::istringstream stream(text);
   parser->SetStream(&stream);

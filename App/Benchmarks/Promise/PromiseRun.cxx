@@ -1,6 +1,6 @@
 #include "PromiseRun.h"
 
-#include "CommandLine/VtkMessages.h"
+#include "Readers/VtkMessages.h"
 
 #include <vtkHeadlessRenderWindow.h>
 
@@ -33,9 +33,10 @@ PromisePicture PictureOf(
   const auto start = Clock::now();
   std::vector<float> drawn;
   {
-    const VtkMessageScope messages;
+    VtkMessages messages;
+    messages.ObserveOutput();
     drawn = scene.Draw();
-    picture.message = messages.First();
+    picture.message = messages.FirstSentence();
   }
   picture.drawSeconds = SecondsSince(start);
   picture.saysKept = scene.Mapper()->GetErrorToleranceIsKept();

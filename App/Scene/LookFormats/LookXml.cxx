@@ -1,10 +1,9 @@
 #include "Scene/LookFormats/LookXml.h"
 
 #include "Readers/Nesting.h"
+#include "Readers/VtkMessages.h"
 #include "Scene/LookFormats/LookContext.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 #include <vtksys/SystemTools.hxx>
@@ -22,12 +21,8 @@ LookXml::LookXml(const std::string& text, const std::string& file)
       file, "expected at most " + std::to_string(MostNestedElements) + " elements, found more");
   }
   std::istringstream stream(text);
-  // While an observer listens to errors and warnings, VTK does not print them; the error below
-  // reports the failure.
-  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
-  {
-    this->parser->AddObserver(event, vtkNew<vtkCallbackCommand>());
-  }
+  VtkMessages silenced; // the error below reports the failure
+  silenced.Observe(this->parser);
   this->parser->SetStream(&stream);
   const bool isValid = this->parser->Parse() && this->parser->GetRootElement();
   this->parser->SetStream(nullptr);

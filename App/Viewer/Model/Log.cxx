@@ -1,5 +1,7 @@
 #include "Viewer/Model/Log.h"
 
+#include "Readers/VtkMessages.h"
+
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -8,11 +10,9 @@
 #include <QSysInfo>
 #include <QtGlobal>
 
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 #include <vtkVersion.h>
 
+#include <iostream>
 #include <memory>
 #include <regex>
 #include <sstream>
@@ -111,42 +111,19 @@ void NoteQtMessage(QtMsgType type, const QMessageLogContext& context, const QStr
 }
 
 // Logs the place of a message: "ERROR: In /build/vtkThing.cxx, line 12 ..." gives "vtkThing.cxx,
-// line 12".
-class NotingOutputWindow : public vtkOutputWindow
+// line 12". VTK's log prints it.
+void NoteVtkMessage(const VtkMessage& message)
 {
-public:
-  static NotingOutputWindow* New();
-  vtkTypeMacro(NotingOutputWindow, vtkOutputWindow);
-
-  void DisplayErrorText(const char* text) override
+  if (message.kind == VtkMessage::Kind::Text)
   {
-    NotePlace(text);
-    this->Superclass::DisplayErrorText(text);
+    std::cerr << message.text;
+    return;
   }
-
-  void DisplayGenericWarningText(const char* text) override
-  {
-    NotePlace(text);
-    this->Superclass::DisplayGenericWarningText(text);
-  }
-
-  void DisplayWarningText(const char* text) override
-  {
-    NotePlace(text);
-    this->Superclass::DisplayWarningText(text);
-  }
-
-private:
-  static void NotePlace(const std::string& text)
-  {
-    static const std::regex pattern("^(?:[\\w ]+: )?In (?:[^,\\n]*/)?(\\w+\\.\\w+, line \\d+)");
-    std::smatch place;
-    const bool isKnown = std::regex_search(text, place, pattern);
-    Note("message of VTK from " + (isKnown ? place[1].str() : "an unknown place"));
-  }
-};
-
-vtkStandardNewMacro(NotingOutputWindow);
+  static const std::regex pattern("^(?:[\\w ]+: )?In (?:[^,\\n]*/)?(\\w+\\.\\w+, line \\d+)");
+  std::smatch place;
+  const bool isKnown = std::regex_search(message.text, place, pattern);
+  Note("message of VTK from " + (isKnown ? place[1].str() : "an unknown place"));
+}
 
 }
 
@@ -169,8 +146,8 @@ void StartLog(const QString& folder)
   if (!printing)
   {
     printing = qInstallMessageHandler(NoteQtMessage);
-    vtkNew<NotingOutputWindow> window;
-    vtkOutputWindow::SetInstance(window);
+    static VtkMessages messages(&NoteVtkMessage);
+    messages.ObserveOutput();
   }
 }
 

@@ -15,7 +15,7 @@ std::vector<std::string> FilesOfIndex(const std::string& index, ReadProgress& pr
 {
   VtkMessages silenced;
   vtkNew<vtkDICOMDirectory> directory;
-  silenced.Take(directory);
+  silenced.Observe(directory);
   const auto folder = std::filesystem::path(index).parent_path();
   directory->SetDirectoryName(folder.empty() ? "." : folder.c_str());
   UpdateWithProgress(directory, progress);

@@ -43,7 +43,7 @@ Parsed Parse(const std::string& path)
 {
   VtkMessages silenced;
   vtkNew<vtkDICOMParser> parser;
-  silenced.Take(parser);
+  silenced.Observe(parser);
   const auto meta = vtkSmartPointer<vtkDICOMMetaData>::New();
   parser->SetMetaData(meta);
   parser->SetFileName(path.c_str());
@@ -86,7 +86,7 @@ DicomTable<std::array<std::uint8_t, 3>> PaletteOf(
   DicomTable<std::array<std::uint8_t, 3>> palette;
   VtkMessages silenced;
   vtkNew<vtkDICOMLookupTable> table;
-  silenced.Take(table);
+  silenced.Observe(table);
   table->BuildImagePalette(meta);
   palette.first = int(table->GetRange()[0]);
   for (vtkIdType i = 0; i < table->GetNumberOfTableValues(); ++i)

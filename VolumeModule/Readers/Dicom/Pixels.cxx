@@ -101,9 +101,9 @@ vtkSmartPointer<vtkImageData> Read(const DicomFile& file, const std::string& pat
 {
   VtkMessages silenced;
   vtkNew<vtkCheckedDICOMReader> reader;
-  silenced.Take(reader);
-  silenced.Take(reader->GetExecutive());
-  silenced.Take(reader->GetSorter());
+  silenced.Observe(reader);
+  silenced.Observe(reader->GetExecutive());
+  silenced.Observe(reader->GetSorter());
   reader->SetFileName(path.c_str());
   reader->SortingOff();
   reader->SetMemoryRowOrderToFileNative();

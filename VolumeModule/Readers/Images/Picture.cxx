@@ -166,8 +166,8 @@ Picture InspectedPicture(const std::string& path)
   Check(path, bytes);
   VtkMessages messages;
   const auto reader = ReaderFor(bytes);
-  messages.Take(reader);
-  messages.Take(reader->GetExecutive());
+  messages.Observe(reader);
+  messages.Observe(reader->GetExecutive());
   reader->SetFileName(path.c_str());
   reader->UpdateInformation();
   const int* const extent = reader->GetDataExtent();
@@ -200,8 +200,8 @@ void ReadPicture(const Picture& picture, void* destination)
   }
   VtkMessages messages;
   const auto reader = ReaderFor(head);
-  messages.Take(reader);
-  messages.Take(reader->GetExecutive());
+  messages.Observe(reader);
+  messages.Observe(reader->GetExecutive());
   reader->SetFileName(picture.path.c_str());
   reader->Update();
   vtkImageData* const image = reader->GetOutput();
