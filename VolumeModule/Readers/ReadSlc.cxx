@@ -1,6 +1,6 @@
 // SLC, the format of VolVis: a text header, an icon, then slices of bytes, perhaps run-length
 // encoded. VTK's own reader, vtkSLCReader, writes beyond its memory if a slice's code is longer
-// than the slice, so it is not used.
+// than the slice. In the decoder, that could still change the voxels without a word.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/HeaderText.h"
