@@ -1,10 +1,12 @@
 #include "BenchMethods.h"
 
 #include "Comparison/vtkComparisonMapper.h"
+#include "FrameCost.h"
 #include "Scene/ScenePipeline.h"
 
+#include <vtkVariationFieldVolumeMapper.h>
+
 #include <algorithm>
-#include <array>
 #include <sstream>
 
 namespace varimarch
@@ -12,21 +14,6 @@ namespace varimarch
 
 namespace
 {
-
-// Colours that are distinct for every kind of colour vision: M. Okabe, K. Ito, "Color universal
-// design", 2008.
-constexpr std::array<unsigned char, 3> Black = { 0, 0, 0 };
-constexpr std::array<unsigned char, 3> Blue = { 0, 114, 178 };
-constexpr std::array<unsigned char, 3> SkyBlue = { 86, 180, 233 };
-constexpr std::array<unsigned char, 3> Green = { 0, 158, 115 };
-constexpr std::array<unsigned char, 3> Vermilion = { 213, 94, 0 };
-
-constexpr std::array<unsigned char, 3> Purple = { 204, 121, 167 };
-constexpr std::array<unsigned char, 3> Orange = { 230, 159, 0 };
-
-// Darker and lighter than all others, for the methods of others.
-constexpr std::array<unsigned char, 3> Brown = { 102, 51, 0 };
-constexpr std::array<unsigned char, 3> Gray = { 140, 140, 140 };
 
 RenderOptions With(Acceleration acceleration, Integration integration = Integration::Midpoint)
 {
@@ -126,37 +113,28 @@ const std::vector<Row>& Rows()
   const RenderOptions simpson = With(Acceleration::OpticalField, Integration::Simpson);
   const RenderOptions published = With(Acceleration::VariationField, Integration::PublishedSum);
   static const std::vector<Row> rows = {
-    { { "tolerance", "Varimarch, error tolerances", MapperKind::Varimarch,
-        { Blue, Marker::Square, Stroke::Dashed } },
-      {}, ErrorTolerances, 0.0, Pictures::All },
-    { { "optical", "Varimarch, optical field", Shaders, { Blue, Marker::Circle, Stroke::Solid } },
-      optical, FineSampleDistances, 0.0, Pictures::All },
-    { { "off", "Varimarch, no field", Shaders, { SkyBlue, Marker::Diamond, Stroke::Dashed } },
-      With(Acceleration::Off), SampleDistances, 0.0, Pictures::All },
-    { { "cells-1", "Varimarch, cell field, E 1/255", Shaders,
-        { Green, Marker::Circle, Stroke::Solid } },
-      cells, SampleDistances, 1.0, Pictures::All },
-    { { "cells-4", "Varimarch, cell field, E 4/255", Shaders,
-        { Green, Marker::Diamond, Stroke::Dashed } },
-      cells, SampleDistances, 4.0, Pictures::All },
-    { { "cells-10", "Varimarch, cell field, E 10/255", Shaders,
-        { Green, Marker::Square, Stroke::Dotted } },
-      cells, SampleDistances, 10.0, Pictures::All },
-    { { "pre-integrated", "Varimarch, optical, pre-integrated", Shaders,
-        { Purple, Marker::Circle, Stroke::Solid } },
-      preIntegrated, FineSampleDistances, 0.0, Pictures::Composites },
-    { { "simpson", "Varimarch, optical, Simpson", Shaders,
-        { Purple, Marker::Square, Stroke::Dashed } },
-      simpson, FineSampleDistances, 0.0, Pictures::UnshadedComposites },
-    { { "published", "Banquero et al. 2016, E 4/255", Shaders,
-        { Orange, Marker::Diamond, Stroke::Solid } },
-      published, SampleDistances, 4.0, Pictures::UnshadedComposites },
-    { { "vtk-gpu", "VTK GPU mapper", MapperKind::VtkGpu,
-        { Vermilion, Marker::Square, Stroke::Solid } },
-      {}, SampleDistances, 0.0, Pictures::All },
-    { { "vtk-cpu", "VTK fixed-point mapper", MapperKind::VtkCpu,
-        { Black, Marker::Diamond, Stroke::Dashed } },
-      {}, SampleDistances, 0.0, Pictures::All },
+    { { "tolerance", "Varimarch, error tolerances", MapperKind::Varimarch }, {}, ErrorTolerances,
+      0.0, Pictures::All },
+    { { "optical", "Varimarch, optical field", Shaders }, optical, FineSampleDistances, 0.0,
+      Pictures::All },
+    { { "off", "Varimarch, no field", Shaders }, With(Acceleration::Off), SampleDistances, 0.0,
+      Pictures::All },
+    { { "cells-1", "Varimarch, cell field, E 1/255", Shaders }, cells, SampleDistances, 1.0,
+      Pictures::All },
+    { { "cells-4", "Varimarch, cell field, E 4/255", Shaders }, cells, SampleDistances, 4.0,
+      Pictures::All },
+    { { "cells-10", "Varimarch, cell field, E 10/255", Shaders }, cells, SampleDistances, 10.0,
+      Pictures::All },
+    { { "pre-integrated", "Varimarch, optical, pre-integrated", Shaders }, preIntegrated,
+      FineSampleDistances, 0.0, Pictures::Composites },
+    { { "simpson", "Varimarch, optical, Simpson", Shaders }, simpson, FineSampleDistances, 0.0,
+      Pictures::UnshadedComposites },
+    { { "published", "Banquero et al. 2016, E 4/255", Shaders }, published, SampleDistances, 4.0,
+      Pictures::UnshadedComposites },
+    { { "vtk-gpu", "VTK GPU mapper", MapperKind::VtkGpu }, {}, SampleDistances, 0.0,
+      Pictures::All },
+    { { "vtk-cpu", "VTK fixed-point mapper", MapperKind::VtkCpu }, {}, SampleDistances, 0.0,
+      Pictures::All },
   };
   return rows;
 }
@@ -165,14 +143,11 @@ const std::vector<Row>& Rows()
 const std::vector<Row>& RowsOfChoices()
 {
   static const std::vector<Row> rows = {
-    { { "whole-rays", "Varimarch, no field, no early end", Shaders,
-        { SkyBlue, Marker::Circle, Stroke::Dotted } },
-      WithoutField(false), SampleDistances, 0.0, Pictures::Composites },
-    { { "back-to-front", "Varimarch, no field, back to front", Shaders,
-        { SkyBlue, Marker::Square, Stroke::Solid } },
-      WithoutField(true), SampleDistances, 0.0, Pictures::Composites },
-    { { "stored-gradients", "Varimarch, optical, stored gradients", Shaders,
-        { Blue, Marker::Diamond, Stroke::Dotted } },
+    { { "whole-rays", "Varimarch, no field, no early end", Shaders }, WithoutField(false),
+      SampleDistances, 0.0, Pictures::Composites },
+    { { "back-to-front", "Varimarch, no field, back to front", Shaders }, WithoutField(true),
+      SampleDistances, 0.0, Pictures::Composites },
+    { { "stored-gradients", "Varimarch, optical, stored gradients", Shaders },
       WithStoredGradients(), FineSampleDistances, 0.0, Pictures::ShadedComposites },
   };
   return rows;
@@ -181,30 +156,25 @@ const std::vector<Row>& RowsOfChoices()
 // Methods of others, which only the benchmarks draw.
 const std::vector<Row>& RowsOfOthers()
 {
-  const auto row = [](const std::string& name, const std::string& title, CurveStyle style,
-                     int method, Pictures pictures = Pictures::PlainComposites) {
-    return Row{ { name, title, Shaders, style, method }, {}, SampleDistances, 0.0, pictures };
+  const auto row = [](const std::string& name, const std::string& title, int method,
+                     Pictures pictures = Pictures::PlainComposites) {
+    return Row{ { name, title, Shaders, method }, {}, SampleDistances, 0.0, pictures };
   };
   static const std::vector<Row> rows = {
-    row("slices-object", "object-aligned slices", { Brown, Marker::Circle, Stroke::Solid },
-      vtkComparisonMapper::ObjectSlices),
+    row("slices-object", "object-aligned slices", vtkComparisonMapper::ObjectSlices),
     { { "slices-object-2d", "object-aligned slices, 2D textures", Shaders,
-        { Brown, Marker::Square, Stroke::Dotted }, vtkComparisonMapper::ObjectSlices2D },
+        vtkComparisonMapper::ObjectSlices2D },
       {}, WholeVoxels, 0.0, Pictures::UnshadedPlainComposites },
-    row("slices-view", "view-aligned slices", { Brown, Marker::Diamond, Stroke::Dashed },
-      vtkComparisonMapper::ViewSlices),
-    row("shells", "spherical shells", { Gray, Marker::Circle, Stroke::Solid },
-      vtkComparisonMapper::Shells),
-    row("passes", "march in passes", { Gray, Marker::Square, Stroke::Dashed },
-      vtkComparisonMapper::Passes),
+    row("slices-view", "view-aligned slices", vtkComparisonMapper::ViewSlices),
+    row("shells", "spherical shells", vtkComparisonMapper::Shells),
+    row("passes", "march in passes", vtkComparisonMapper::Passes),
     { { "corrected-table", "march in passes, opacities of whole steps in a table", Shaders,
-        { Gray, Marker::Circle, Stroke::Dashed }, vtkComparisonMapper::Passes, VoxelStorage::Bits16,
-        true },
+        vtkComparisonMapper::Passes, VoxelStorage::Bits16, true },
       {}, SampleDistances, 0.0, Pictures::PlainComposites },
     row("half-angle", "half-angle slices, with shadows: not the same image",
-      { Gray, Marker::Diamond, Stroke::Dotted }, vtkComparisonMapper::HalfAngle),
+      vtkComparisonMapper::HalfAngle),
     row("light-volume", "slices with shadows from a volume of light: not the same image",
-      { Brown, Marker::Diamond, Stroke::Dotted }, vtkComparisonMapper::LightVolume),
+      vtkComparisonMapper::LightVolume),
   };
   return rows;
 }
@@ -212,24 +182,19 @@ const std::vector<Row>& RowsOfOthers()
 // The march in passes, with voxels in other forms than the 16 bits of the row "passes".
 const std::vector<Row>& RowsOfStorages()
 {
-  const auto row =
-    [](const std::string& name, const std::string& title, CurveStyle style, VoxelStorage storage)
+  const auto row = [](const std::string& name, const std::string& title, VoxelStorage storage)
   {
-    return Row{ { name, title, Shaders, style, vtkComparisonMapper::Passes, storage }, {},
-      SampleDistances, 0.0, Pictures::PlainComposites };
+    return Row{ { name, title, Shaders, vtkComparisonMapper::Passes, storage }, {}, SampleDistances,
+      0.0, Pictures::PlainComposites };
   };
   static const std::vector<Row> rows = {
-    row("bits-8", "8 bits", { Green, Marker::Square, Stroke::Solid }, VoxelStorage::Bits8),
-    row("bits-8-rgba", "8 bits, four voxels in RGBA8", { Green, Marker::Diamond, Stroke::Dotted },
-      VoxelStorage::FourInTexel),
-    row("bits-6", "6 bits, five voxels in a word", { Purple, Marker::Diamond, Stroke::Solid },
-      VoxelStorage::Bits6),
-    row("bits-4-rgba", "4 bits, four voxels in RGBA4", { Orange, Marker::Circle, Stroke::Dashed },
-      VoxelStorage::FourInTexel4),
-    row("bits-1", "1 bit, 32 voxels in a word", { Vermilion, Marker::Diamond, Stroke::Dotted },
-      VoxelStorage::Bit1),
-    row("slices-side-by-side", "slices in a 2D texture, two bilinear reads",
-      { Black, Marker::Circle, Stroke::Dotted }, VoxelStorage::Slices2D),
+    row("bits-8", "8 bits", VoxelStorage::Bits8),
+    row("bits-8-rgba", "8 bits, four voxels in RGBA8", VoxelStorage::FourInTexel),
+    row("bits-6", "6 bits, five voxels in a word", VoxelStorage::Bits6),
+    row("bits-4-rgba", "4 bits, four voxels in RGBA4", VoxelStorage::FourInTexel4),
+    row("bits-1", "1 bit, 32 voxels in a word", VoxelStorage::Bit1),
+    row(
+      "slices-side-by-side", "slices in a 2D texture, two bilinear reads", VoxelStorage::Slices2D),
   };
   return rows;
 }
@@ -322,6 +287,54 @@ double Variation(vtkImageData* image, double variation255)
 {
   const double* range = image->GetScalarRange();
   return variation255 * (range[1] - range[0]) / 255.0;
+}
+
+MethodView::MethodView(const BenchMethod& method, const Scene& scene, vtkImageData* image)
+  : view(scene, image, method.kind)
+{
+  if (method.comparison)
+  {
+    this->comparison = vtkSmartPointer<vtkComparisonMapper>::New();
+    this->comparison->SetMethod(*method.comparison);
+    this->comparison->SetStorage(method.storage);
+    this->comparison->SetCorrectedTable(method.correctedTable);
+    this->comparison->SetInputDataObject(image);
+    this->view.Pipeline().Volume()->SetMapper(this->comparison);
+  }
+}
+
+MethodView::~MethodView() = default;
+
+void MethodView::SetOptions(const RenderOptions& options)
+{
+  this->view.Pipeline().SetRenderOptions(options);
+  if (this->comparison)
+  {
+    this->comparison->SetSampleDistance(options.sampleDistanceMm.value_or(1.0));
+    this->comparison->SetEarlyTerminationTransmittance(options.earlyTerminationTransmittance);
+  }
+}
+
+double MethodView::UsedSampleDistanceMm() const
+{
+  return this->comparison ? this->comparison->GetSampleDistance()
+                          : this->view.Pipeline().UsedSampleDistanceMm();
+}
+
+double MethodView::EstimatedError()
+{
+  auto* const ours = vtkVariationFieldVolumeMapper::SafeDownCast(this->view.Pipeline().Mapper());
+  return ours && !this->comparison ? ours->GetEstimatedError() : 0.0;
+}
+
+std::optional<double> MethodView::Fetches()
+{
+  return this->comparison ? std::nullopt : FetchesPerPixel(this->view);
+}
+
+std::optional<double> MethodView::Bytes()
+{
+  return this->comparison ? this->comparison->GetGraphicsMemoryBytes() : GraphicsBytes(this->view);
 }
 
 }

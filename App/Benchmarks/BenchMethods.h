@@ -2,14 +2,17 @@
 #define Varimarch_Benchmarks_BenchMethods_h
 
 #include "Comparison/VoxelStorage.h"
-#include "LogLogPlot.h"
+#include "Scene/OffscreenView.h"
 #include "Scene/Scene.h"
 
 #include <vtkImageData.h>
+#include <vtkSmartPointer.h>
 
 #include <optional>
 #include <string>
 #include <vector>
+
+class vtkComparisonMapper;
 
 namespace varimarch
 {
@@ -20,7 +23,6 @@ struct BenchMethod
   std::string name;  ///< name on the command line and in tables
   std::string title; ///< name in legends and reports
   MapperKind kind;
-  CurveStyle style;
   /// One of vtkComparisonMapper::Methods, which then draws instead of the mapper of this kind.
   std::optional<int> comparison = {};
   VoxelStorage storage = VoxelStorage::Bits16; ///< only for comparison methods
@@ -51,6 +53,27 @@ std::vector<BenchRun> WorkPrecisionRuns(
 
 /// The options with a sample distance, given in smallest voxel spacings.
 BenchSetting AtDistance(vtkImageData* image, double voxels, const RenderOptions& options);
+
+/// A scene in a window, drawn by a method of the benchmarks.
+class MethodView
+{
+public:
+  /// @throws std::runtime_error if there is no OpenGL
+  MethodView(const BenchMethod& method, const Scene& scene, vtkImageData* image);
+  ~MethodView();
+
+  OffscreenView& Offscreen() { return this->view; }
+  void SetOptions(const RenderOptions& options);
+
+  double UsedSampleDistanceMm() const; ///< the distance of the last frame
+  double EstimatedError();             ///< our mapper's estimate, [0, 1]; 0 for others
+  std::optional<double> Fetches();     ///< FetchesPerPixel; empty for methods of others
+  std::optional<double> Bytes();       ///< GraphicsBytes; empty for VTK's mappers
+
+private:
+  OffscreenView view;
+  vtkSmartPointer<vtkComparisonMapper> comparison; ///< null unless the method is one of others
+};
 
 /// The smallest voxel spacing [mm].
 double VoxelMm(vtkImageData* image);

@@ -1,18 +1,49 @@
-#include "ExtremesBench.h"
-
+#include "Benchmark.h"
+#include "CommandLine/PictureError.h"
+#include "CommandLine/Progress.h"
+#include "Core/Quality/ImageError.h"
 #include "Readers/VtkMessages.h"
 #include "Scene/Median.h"
+#include "Scene/Scene.h"
+#include "Scene/SceneNames.h"
 #include "Stages/ExtremeScenes.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace varimarch
 {
 
 namespace
 {
+
+/// Height and width of the images [pixels]: those of the tests of the same scenes.
+constexpr int ExtremesSide = 48;
+
+/// A mapper's image of an extreme scene.
+struct ExtremeResult
+{
+  MapperKind kind;
+  bool wasTried;       ///< false for VTK's mappers where they would march for hours
+  ImageError error;    ///< [1/255]
+  bool isFinite;       ///< true if all channels are finite
+  bool isEmpty;        ///< true if nothing is drawn although there is something to see
+  std::string message; ///< first error or warning of VTK or of the mapper; empty: none
+  double medianMs;     ///< median time of three frames after the first
+};
+
+// Our mapper by packets and by shaders, and VTK's GPU and fixed-point mappers.
+const std::vector<MapperKind>& ExtremeMappers()
+{
+  static const std::vector<MapperKind> kinds = { MapperKind::Varimarch,
+    MapperKind::VarimarchShaders, MapperKind::VtkGpu, MapperKind::VtkCpu };
+  return kinds;
+}
 
 struct Group
 {
@@ -98,32 +129,65 @@ std::vector<ExtremeResult> ResultsOf(const ExtremeScene& extreme, vtkHeadlessRen
   return results;
 }
 
+nlohmann::ordered_json ToJson(const ExtremeResult& result)
+{
+  return { { "mapper", NameOf(MapperKindNames(), result.kind) }, { "tried", result.wasTried },
+    { "error255", ToJson(result.error) }, { "finite", result.isFinite },
+    { "empty", result.isEmpty }, { "message", result.message }, { "medianMs", result.medianMs } };
 }
 
-const std::vector<MapperKind>& ExtremeMappers()
+nlohmann::ordered_json ToJson(const std::vector<ExtremeResult>& results)
 {
-  static const std::vector<MapperKind> kinds = { MapperKind::Varimarch,
-    MapperKind::VarimarchShaders, MapperKind::VtkGpu, MapperKind::VtkCpu };
-  return kinds;
+  nlohmann::ordered_json json;
+  for (const ExtremeResult& result : results)
+  {
+    json.push_back(ToJson(result));
+  }
+  return json;
 }
 
-void MeasureExtremes(const std::vector<std::string>& only, const OnStep& onStep,
-  const std::function<void(const std::vector<ExtremeMeasurement>&)>& onResult)
+struct ExtremesOptions
 {
-  std::vector<ExtremeMeasurement> measurements;
+  std::vector<std::string> only; ///< beginnings of the names of scenes; empty: all
+};
+
+void AddExtremesOptions(CLI::App& command, ExtremesOptions& options)
+{
+  command
+    .add_option("--only", options.only, "Draw only scenes whose names start with one of these")
+    ->delimiter(',')
+    ->type_name("NAMES");
+}
+
+// Draws every scene of ExtremeScenes.h with every mapper at its defaults, and compares each image
+// with the reference integrator's.
+void RunExtremes(const ExtremesOptions& options, BenchResults& results)
+{
+  results.json["side"] = ExtremesSide;
+  Progress progress("Measuring extreme scenes");
   vtkNew<vtkHeadlessRenderWindow> window;
   for (const Group& group : Groups())
   {
     for (const ExtremeScene& extreme : group.scenes)
     {
-      if (IsWanted(extreme.name, only))
+      if (IsWanted(extreme.name, options.only))
       {
-        onStep(extreme.name);
-        measurements.push_back({ group.name, extreme.name, ResultsOf(extreme, window) });
-        onResult(measurements);
+        progress.SetActivity(extreme.name);
+        results.json["scenes"].push_back({ { "group", group.name }, { "name", extreme.name },
+          { "results", ToJson(ResultsOf(extreme, window)) } });
+        results.Write("scenes up to " + extreme.name);
       }
     }
   }
+}
+
+}
+
+Benchmark ExtremesBenchmark()
+{
+  return MakeBenchmark("extremes",
+    "Measure errors and times of stiff and extreme scenes, in our mapper and in VTK's",
+    "Example:\n  varimarch-bench extremes -o extremes", AddExtremesOptions, RunExtremes);
 }
 
 }

@@ -1,23 +1,33 @@
 #include "FeatureList.h"
 
-#include "FeatureInputs.h"
-#include "OurFeatures.h"
-
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
+#include <vtkCellData.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
 #include <vtkLight.h>
 #include <vtkMultiVolume.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
 #include <vtkSphereSource.h>
+#include <vtkUniformGrid.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVariationFieldGPUVolumeRayCastMapper.h>
+#include <vtkVariationFieldVolumeMapper.h>
 #include <vtkVolumeCollection.h>
 #include <vtkVolumeProperty.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -26,6 +36,202 @@ namespace varimarch
 
 namespace
 {
+
+// Conversions of a volume to other forms, whose costs are measured. The input has one component per
+// point.
+
+vtkDataArray* ScalarsOf(vtkImageData* image)
+{
+  return image->GetPointData()->GetScalars();
+}
+
+vtkSmartPointer<vtkImageData> SameGrid(vtkImageData* image)
+{
+  const auto copy = vtkSmartPointer<vtkImageData>::New();
+  copy->CopyStructure(image);
+  return copy;
+}
+
+// Calls a function for each point of a ball about the centre, whose radius is a quarter of the
+// volume's side.
+template <class OnPoint>
+void ForPointsInBall(vtkImageData* image, const OnPoint& onPoint)
+{
+  const int* size = image->GetDimensions();
+  vtkIdType point = 0;
+  for (int z = 0; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      for (int x = 0; x < size[0]; ++x, ++point)
+      {
+        const double offset = std::hypot(
+          double(x) / size[0] - 0.5, double(y) / size[1] - 0.5, double(z) / size[2] - 0.5);
+        if (offset < 0.25)
+        {
+          onPoint(point);
+        }
+      }
+    }
+  }
+}
+
+// The volume with two components, both with the input's scalars.
+vtkSmartPointer<vtkImageData> WithTwoComponents(vtkImageData* image)
+{
+  vtkDataArray* scalars = ScalarsOf(image);
+  const auto pairs = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
+  pairs->SetName("pairs");
+  pairs->SetNumberOfComponents(2);
+  pairs->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  pairs->CopyComponent(0, scalars, 0);
+  pairs->CopyComponent(1, scalars, 0);
+  const auto copy = SameGrid(image);
+  copy->GetPointData()->SetScalars(pairs);
+  return copy;
+}
+
+// The volume with four byte components for red, green, blue and opacity, all with the input's
+// scalars.
+vtkSmartPointer<vtkImageData> WithFourColors(vtkImageData* image)
+{
+  vtkDataArray* scalars = ScalarsOf(image);
+  const double* range = scalars->GetRange();
+  const double bytesPerScalar = 255.0 / std::max(range[1] - range[0], 1e-30);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("colors");
+  colors->SetNumberOfComponents(4);
+  colors->SetNumberOfTuples(scalars->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < scalars->GetNumberOfTuples(); ++i)
+  {
+    const auto byte =
+      static_cast<unsigned char>((scalars->GetComponent(i, 0) - range[0]) * bytesPerScalar);
+    const unsigned char color[4] = { byte, byte, byte, byte };
+    colors->SetTypedTuple(i, color);
+  }
+  const auto copy = SameGrid(image);
+  copy->GetPointData()->SetScalars(colors);
+  return copy;
+}
+
+// The volume as cell data, with one cell fewer than points on each axis.
+vtkSmartPointer<vtkDataSet> OnCells(vtkImageData* image)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ++extent[2 * axis + 1];
+  }
+  const auto copy = SameGrid(image);
+  copy->SetExtent(extent);
+  copy->GetCellData()->SetScalars(ScalarsOf(image));
+  return copy;
+}
+
+// The volume on a rectilinear grid with the same coordinates.
+vtkSmartPointer<vtkDataSet> OnRectilinearGrid(vtkImageData* image)
+{
+  const auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  grid->SetExtent(image->GetExtent());
+  vtkNew<vtkDoubleArray> coordinates[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int first = image->GetExtent()[2 * axis];
+    for (int i = 0; i < image->GetDimensions()[axis]; ++i)
+    {
+      coordinates[axis]->InsertNextValue(
+        image->GetOrigin()[axis] + (first + i) * image->GetSpacing()[axis]);
+    }
+  }
+  grid->SetXCoordinates(coordinates[0]);
+  grid->SetYCoordinates(coordinates[1]);
+  grid->SetZCoordinates(coordinates[2]);
+  grid->GetPointData()->SetScalars(ScalarsOf(image));
+  return grid;
+}
+
+// The volume with the points of a ball about the centre blanked.
+vtkSmartPointer<vtkDataSet> WithBlankedBall(vtkImageData* image)
+{
+  const auto grid = vtkSmartPointer<vtkUniformGrid>::New();
+  grid->CopyStructure(image);
+  grid->GetPointData()->SetScalars(ScalarsOf(image));
+  ForPointsInBall(image, [&](vtkIdType point) { grid->BlankPoint(point); });
+  return grid;
+}
+
+// A mask that is 255 in a ball about the centre and 0 elsewhere, for use as a binary mask and as a
+// label map with one label.
+vtkSmartPointer<vtkImageData> BallMask(vtkImageData* image)
+{
+  vtkNew<vtkUnsignedCharArray> labels;
+  labels->SetName("labels");
+  labels->SetNumberOfTuples(image->GetNumberOfPoints());
+  labels->Fill(0.0);
+  ForPointsInBall(image, [&](vtkIdType point) { labels->SetValue(point, 255); });
+  const auto mask = SameGrid(image);
+  mask->GetPointData()->SetScalars(labels);
+  return mask;
+}
+
+// A transfer function of scalar and gradient magnitude: opacity grows with both.
+vtkSmartPointer<vtkImageData> OpacityOfScalarAndGradient()
+{
+  constexpr int Side = 256;
+  const auto table = vtkSmartPointer<vtkImageData>::New();
+  table->SetDimensions(Side, Side, 1);
+  table->AllocateScalars(VTK_FLOAT, 4);
+  for (int gradient = 0; gradient < Side; ++gradient)
+  {
+    for (int scalar = 0; scalar < Side; ++scalar)
+    {
+      auto* entry = static_cast<float*>(table->GetScalarPointer(scalar, gradient, 0));
+      const float part = float(scalar) / float(Side - 1);
+      entry[0] = 1.0f;
+      entry[1] = part;
+      entry[2] = 0.5f * part;
+      entry[3] = part < 0.3f ? 0.0f : 0.2f * part * float(gradient + 16) / float(Side + 15);
+    }
+  }
+  return table;
+}
+
+// Switches for features that only our mapper has. With another mapper they do nothing.
+
+void WithOurs(
+  const FeatureStage& stage, const std::function<void(vtkVariationFieldVolumeMapper*)>& set)
+{
+  auto* adapter = vtkVariationFieldGPUVolumeRayCastMapper::SafeDownCast(stage.mapper);
+  if (adapter)
+  {
+    set(adapter->GetVariationFieldMapper());
+  }
+}
+
+void CubicOn(const FeatureStage& stage)
+{
+  WithOurs(stage, [](vtkVariationFieldVolumeMapper* mapper) { mapper->CubicInterpolationOn(); });
+}
+
+void CubicOff(const FeatureStage& stage)
+{
+  WithOurs(stage, [](vtkVariationFieldVolumeMapper* mapper) { mapper->CubicInterpolationOff(); });
+}
+
+// Damps by a fortieth of the steepest slope that two neighbouring voxels can have.
+void DampingOn(const FeatureStage& stage)
+{
+  const double* range = stage.image->GetScalarRange();
+  const double gradient = (range[1] - range[0]) / stage.image->GetSpacing()[0] / 40.0;
+  WithOurs(stage,
+    [gradient](vtkVariationFieldVolumeMapper* mapper) { mapper->SetDampingGradient(gradient); });
+}
+
+void DampingOff(const FeatureStage& stage)
+{
+  WithOurs(stage, [](vtkVariationFieldVolumeMapper* mapper) { mapper->SetDampingGradient(0.0); });
+}
 
 using Stage = const FeatureStage&;
 

@@ -6,6 +6,8 @@
 
 #include <vtkVariationFieldVolumeMapper.h>
 
+#include <nlohmann/json.hpp>
+
 #include <stdexcept>
 
 namespace varimarch
@@ -94,6 +96,13 @@ FrameCost MedianOf(const std::vector<FrameCost>& rounds)
     median.*time = Median(times);
   }
   return median;
+}
+
+nlohmann::ordered_json ToJson(const FrameCost& cost)
+{
+  return { { "firstMs", cost.firstMs }, { "stillMs", cost.stillMs },
+    { "rebuildMs", cost.rebuildMs }, { "firstFieldMs", cost.firstFieldMs },
+    { "changeFieldMs", cost.changeFieldMs } };
 }
 
 std::optional<double> FetchesPerPixel(OffscreenView& view)

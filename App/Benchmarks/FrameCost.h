@@ -3,6 +3,8 @@
 
 #include "Scene/OffscreenView.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <vector>
 
@@ -26,6 +28,8 @@ FrameCost CostOfFrames(OffscreenView& view, const Look& look);
 
 /// The median of each time separately, over at least one round.
 FrameCost MedianOf(const std::vector<FrameCost>& rounds);
+
+nlohmann::ordered_json ToJson(const FrameCost& cost);
 
 /// Fetches from the volume per pixel, as the mean over all pixels, including those without volume.
 /// Empty for VTK's mappers, which do not count them, and for volumes that are too large for a

@@ -1,8 +1,8 @@
-#include "LightMethodsBench.h"
-
 #include "BenchMethods.h"
+#include "CommandLine/PictureError.h"
 #include "CommandLine/VtkMessages.h"
 #include "Comparison/vtkComparisonMapper.h"
+#include "LightScenes.h"
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
 
@@ -19,6 +19,52 @@ namespace varimarch
 
 namespace
 {
+
+/// A way to compute shadows, with fixed settings.
+struct LightMethod
+{
+  std::string name;  ///< name in tables
+  std::string title; ///< a few words on what it does
+  /// One of vtkComparisonMapper::Methods; empty: our mapper.
+  std::optional<int> comparison = {};
+  bool hasShadows = true;
+  double toleranceFactor = 1.0; ///< our mapper's error tolerance, relative to that of the options
+  double spreadDegrees = 0.0;   ///< vtkComparisonMapper::SpreadDegrees
+  double leastTransmittance = 1.0 / 1024.0; ///< transmittance at which rays end
+};
+
+/// The cost and the error of a method in a scene with one light. Times are medians of all rounds.
+struct LightMethodCost
+{
+  double firstMs = 0.0;        ///< the first frame of a new window
+  double stillMs = 0.0;        ///< a frame of the same view
+  double draggedMs = 0.0;      ///< a frame for which the light has turned by two degrees
+  ImageError error = {};       ///< against the scene's fine image
+  double lightMegabytes = 0.0; ///< memory for light alone, at most
+};
+
+// Ours at the error tolerance, ours without shadows, and the methods of others, whose samples and
+// slices are a voxel apart.
+const std::vector<LightMethod>& LightMethods()
+{
+  using Mapper = vtkComparisonMapper;
+  static const std::vector<LightMethod> methods = {
+    { "ours", "Varimarch at the error tolerance" },
+    { "ours, coarse", "Varimarch at four times the tolerance", {}, true, 4.0 },
+    { "no shadows", "Varimarch without shadows", {}, false },
+    { "second march", "a second march from each sample (Gorkin, slides 12 and 32)",
+      Mapper::SecondMarch },
+    { "light volume", "slices in a precomputed volume of light of half the resolution (Gorkin)",
+      Mapper::LightVolume },
+    { "half-angle", "half-angle slices in two passes (Gorkin, slides 32 to 35)",
+      Mapper::HalfAngle },
+    { "half-angle, blurred", "the same with a blurred buffer of light (slides 37 and 38)",
+      Mapper::HalfAngle, true, 1.0, 20.0 },
+    { "VTK's rays", "a ray from each sample as in VTK 9.2", Mapper::VtkShadows, true, 1.0, 0.0,
+      1.0 / 255.0 },
+  };
+  return methods;
+}
 
 constexpr std::size_t MostFrames = 5;
 constexpr double LeastMs = 500.0; // frames of a measurement end after this time
@@ -127,30 +173,9 @@ struct MethodTimes
   std::vector<double> dragged;
 };
 
-}
-
-const std::vector<LightMethod>& LightMethods()
-{
-  using Mapper = vtkComparisonMapper;
-  static const std::vector<LightMethod> methods = {
-    { "ours", "Varimarch at the error tolerance" },
-    { "ours, coarse", "Varimarch at four times the tolerance", {}, true, 4.0 },
-    { "no shadows", "Varimarch without shadows", {}, false },
-    { "second march", "a second march from each sample (Gorkin, slides 12 and 32)",
-      Mapper::SecondMarch },
-    { "light volume", "slices in a precomputed volume of light of half the resolution (Gorkin)",
-      Mapper::LightVolume },
-    { "half-angle", "half-angle slices in two passes (Gorkin, slides 32 to 35)",
-      Mapper::HalfAngle },
-    { "half-angle, blurred", "the same with a blurred buffer of light (slides 37 and 38)",
-      Mapper::HalfAngle, true, 1.0, 20.0 },
-    { "VTK's rays", "a ray from each sample as in VTK 9.2", Mapper::VtkShadows, true, 1.0, 0.0,
-      1.0 / 255.0 },
-  };
-  return methods;
-}
-
-LightMethodsCase MeasureLightMethods(
+// Draws frames by each method in turn. The errors are against an image of our mapper without a
+// lattice of light, with samples FineDistanceVoxels apart.
+std::vector<LightMethodCost> MeasureLightMethods(
   const LoadedScene& loaded, const LightCostOptions& options, const OnStep& onStep)
 {
   const Scene plain = LitScene(loaded, options);
@@ -160,7 +185,7 @@ LightMethodsCase MeasureLightMethods(
   OffscreenView fine(FineScene(shadowed, options.errorTolerance), image, MapperKind::Varimarch);
   const std::vector<float> truth = PixelsOf(fine);
   const std::vector<LightMethod>& methods = LightMethods();
-  LightMethodsCase measured = { loaded.name, std::vector<LightMethodCost>(methods.size()) };
+  std::vector<LightMethodCost> measured(methods.size());
   std::vector<MethodTimes> times(methods.size());
   for (int round = 0; round < options.rounds; ++round)
   {
@@ -173,8 +198,8 @@ LightMethodsCase MeasureLightMethods(
       if (round == 0)
       {
         const std::vector<float> pixels = view.Pixels();
-        measured.methods[i].error = CompareImages(pixels.data(), truth.data(), truth.size() / 4);
-        measured.methods[i].lightMegabytes =
+        measured[i].error = CompareImages(pixels.data(), truth.data(), truth.size() / 4);
+        measured[i].lightMegabytes =
           methods[i].hasShadows ? view.LightBytes() / BytesPerMegabyte : 0.0;
       }
       times[i].dragged.push_back(view.DraggedMs());
@@ -183,11 +208,48 @@ LightMethodsCase MeasureLightMethods(
   }
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
-    measured.methods[i].firstMs = Median(times[i].first);
-    measured.methods[i].stillMs = Median(times[i].still);
-    measured.methods[i].draggedMs = Median(times[i].dragged);
+    measured[i].firstMs = Median(times[i].first);
+    measured[i].stillMs = Median(times[i].still);
+    measured[i].draggedMs = Median(times[i].dragged);
   }
   return measured;
+}
+
+nlohmann::ordered_json ToJson(const std::vector<LightMethodCost>& costs)
+{
+  nlohmann::ordered_json json;
+  for (std::size_t i = 0; i < costs.size(); ++i)
+  {
+    json[LightMethods()[i].name] = { { "firstMs", costs[i].firstMs },
+      { "stillMs", costs[i].stillMs }, { "draggedMs", costs[i].draggedMs },
+      { "lightMegabytes", costs[i].lightMegabytes }, { "error", ToJson(costs[i].error) } };
+  }
+  return json;
+}
+
+void RunLightMethods(const LightCostOptions& options, BenchResults& results)
+{
+  AddLightConditions(options, results);
+  for (const LightMethod& method : LightMethods())
+  {
+    results.json["methods"].push_back({ { "name", method.name }, { "title", method.title } });
+  }
+  MeasureSceneByScene(options.scenes, results,
+    [&](const LoadedScene& scene, const OnStep& onStep)
+    {
+      results.json["scenes"].push_back({ { "scene", scene.name },
+        { "methods", ToJson(MeasureLightMethods(scene, options, onStep)) } });
+    });
+}
+
+}
+
+Benchmark LightMethodsBenchmark()
+{
+  return MakeBenchmark("light-methods",
+    "Measure our shadows beside those of others: error, time and memory",
+    "Example:\n  varimarch-bench light-methods --volumes volumes -o report --side 256",
+    AddLightOptions, RunLightMethods);
 }
 
 }

@@ -6,6 +6,7 @@
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
+#include <CLI/CLI.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -49,6 +50,22 @@ const std::vector<LightFeature>& LightFeatures()
       } },
   };
   return features;
+}
+
+void AddLightOptions(CLI::App& command, LightCostOptions& options)
+{
+  AddBenchSceneOptions(command, options.scenes);
+  AddSideOption(command, options.side);
+  command.add_option("--tolerance", options.errorTolerance, "The error tolerance (default 1/64)")
+    ->check(CLI::Range(1e-4, 1.0).description(""))
+    ->type_name("ERROR");
+  AddRoundsOption(command, options.rounds);
+}
+
+void AddLightConditions(const LightCostOptions& options, BenchResults& results)
+{
+  results.json.update({ { "side", options.side }, { "errorTolerance", options.errorTolerance },
+    { "rounds", options.rounds }, { "fineVoxels", FineDistanceVoxels(options.errorTolerance) } });
 }
 
 Scene LitScene(const LoadedScene& loaded, const LightCostOptions& options)

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Benchmarks_LightScenes_h
 #define Varimarch_Benchmarks_LightScenes_h
 
-#include "SpeedScenes.h"
+#include "BenchScenes.h"
 
 #include <vector>
 
@@ -12,7 +12,7 @@ class OffscreenView;
 
 // The scenes of measurements of light, and their true images.
 
-/// A kind of light whose cost is measured. Each has a command and a report of its name.
+/// A kind of light whose cost is measured. Each has a benchmark of its name.
 struct LightFeature
 {
   const char* name;
@@ -25,6 +25,7 @@ const std::vector<LightFeature>& LightFeatures();
 
 struct LightCostOptions
 {
+  BenchSceneOptions scenes;
   LightFeature feature = LightFeatures().front(); ///< shadows
   int side = 512;                                 ///< side of the square images [pixels]
   int rounds = 3;
@@ -33,6 +34,12 @@ struct LightCostOptions
   std::vector<double> tolerances = { 1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0, 1.0 / 128.0, 1.0 / 255.0 };
   int views = 4;
 };
+
+/// Adds the options that all benchmarks of light have.
+void AddLightOptions(CLI::App& command, LightCostOptions& options);
+
+/// Adds to the results how they are measured.
+void AddLightConditions(const LightCostOptions& options, BenchResults& results);
 
 /// The scene shaded, in one light from the upper right of its camera, which is fixed in the world
 /// and has no feature yet.

@@ -1,24 +1,156 @@
-#include "OrderBench.h"
+#include "OrderFit.h"
 
+#include "Benchmark.h"
+#include "CommandLine/Progress.h"
+#include "CommandLine/Truth.h"
 #include "CommandLine/VtkMessages.h"
 #include "Core/Quality/ImageError.h"
-#include "OrderScenes.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/ProceduralVolume.h"
 #include "Scene/ReferencePicture.h"
+#include "Scene/ReferenceRequest.h"
+#include "Scene/Scene.h"
 
 #include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkVariationFieldVolumeMapper.h>
 
+#include <CLI/CLI.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace varimarch
 {
 
 namespace
 {
+
+// The 97.5th percentile of Student's t distribution.
+double StudentQuantile(int degreesOfFreedom)
+{
+  constexpr std::array<double, 10> Quantiles = { 12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365,
+    2.306, 2.262, 2.228 };
+  return Quantiles[std::size_t(std::min(degreesOfFreedom, int(Quantiles.size())) - 1)];
+}
+
+/// The errors of one method under refinement.
+struct OrderCurve
+{
+  std::string method;
+  std::optional<double> expected; ///< order by theory; empty: no theory
+  std::vector<OrderPoint> points; ///< points, coarsest first
+  std::optional<OrderFit> fit;
+};
+
+/// The errors of all methods under one kind of refinement of a scene.
+struct OrderExperiment
+{
+  std::string name;      ///< name, usable as a file name
+  std::string title;     ///< title, with what is refined and the scene
+  std::string widthName; ///< the refined width, with its unit
+  std::vector<OrderCurve> curves;
+  /// Widths above this are not in the range in which the error has an order.
+  double widestFitted = std::numeric_limits<double>::infinity();
+};
+
+/// Errors below this are left out of fits: those of sums of floats [1/255].
+constexpr double OrderFloor = 0.0005;
+
+constexpr double CubeSideMm = 100.0;
+
+Scene SceneOfBytes(int side)
+{
+  Scene scene;
+  scene.look.colors = { { 0.0, { 0.9, 0.3, 0.1 }, {} }, { 255.0, { 0.1, 0.5, 1.0 }, {} } };
+  scene.look.opacities = { { 0.0, 0.004, {} }, { 255.0, 0.04, {} } };
+  scene.look.shading.enabled = false;
+  scene.camera.azimuthDegrees = 25.0;
+  scene.camera.elevationDegrees = 15.0;
+  // Only rays through opposite faces: elsewhere their lengths, and with them the image, have kinks.
+  scene.camera.zoom = 6.0;
+  scene.size = { side, side };
+  scene.render.acceleration = Acceleration::Off;
+  scene.render.earlyTerminationTransmittance = 0.0;
+  return scene;
+}
+
+// A scene of a ramp or a checkerboard, without early termination and field, so that nothing but
+// the steps makes errors.
+Scene OrderScene(ProceduralKind kind, int side)
+{
+  constexpr int Voxels = 17;
+  Scene scene = SceneOfBytes(side);
+  scene.volume = ProceduralSource{ kind, { Voxels, Voxels, Voxels }, 1 };
+  return scene;
+}
+
+// The same of the smooth field.
+Scene SmoothScene(int side)
+{
+  return SceneOfBytes(side);
+}
+
+// The field of the refinement of grids: smooth, from 0 to 255, in a cube of 100 mm at the world's
+// origin.
+double SmoothField(const glm::dvec3& positionMm)
+{
+  const glm::dvec3 p = 6.0 * positionMm / CubeSideMm;
+  return 127.5 * (1.0 + std::sin(2.0 * p.x + 0.7 * p.y) * std::cos(1.7 * p.y - 1.3 * p.z));
+}
+
+// Samples of the smooth field, as floats.
+// @param side  number of voxels along each axis
+vtkSmartPointer<vtkImageData> SmoothVolume(int side)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(side, side, side);
+  const double spacing = CubeSideMm / (side - 1);
+  image->SetSpacing(spacing, spacing, spacing);
+  image->SetOrigin(-0.5 * CubeSideMm, -0.5 * CubeSideMm, -0.5 * CubeSideMm);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  auto* const voxels = static_cast<float*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    image->GetPoint(i, place);
+    voxels[i] = float(SmoothField({ place[0], place[1], place[2] }));
+  }
+  return image;
+}
+
+// The image of the smooth field itself, as if of infinitely many voxels.
+// @param image  any of its volumes, which tells the rays
+vtkSmartPointer<vtkImageData> SmoothTruth(const Scene& scene, vtkImageData* image)
+{
+  constexpr double Tolerance = 1e-8;
+  const ReferenceRequest request = ReferenceRequestFor(scene, image, Tolerance);
+  ReferenceScene smooth{ {}, request.geometry.boxGrid, request.transferFunction };
+  smooth.material = [&](glm::dvec3 positionGrid, const Ray&)
+  {
+    const glm::dvec4 world = request.geometry.worldFromGrid * glm::dvec4(positionGrid, 1.0);
+    const double value = SmoothField(glm::dvec3(world));
+    return OpticalProperties{ request.transferFunction.Color(value),
+      request.transferFunction.Extinction(value) };
+  };
+  const auto drawn = DrawReference(ReferenceIntegrator(smooth, Tolerance), request.view);
+  auto truth = vtkSmartPointer<vtkImageData>::New();
+  truth->SetDimensions(drawn->width, drawn->height, 1);
+  truth->AllocateScalars(VTK_FLOAT, 4);
+  std::copy(drawn->rgba.begin(), drawn->rgba.end(), static_cast<float*>(truth->GetScalarPointer()));
+  return truth;
+}
 
 // Tolerance of the reference integrator, far below what is measured.
 constexpr double TruthTolerance = 1e-8;
@@ -27,28 +159,17 @@ constexpr double TruthTolerance = 1e-8;
 struct Method
 {
   std::string title;
-  CurveStyle style;
   MapperKind kind;
   Integration integration;
   bool isCubic;
   std::optional<double> order; ///< expected order
 };
 
-// Colours of M. Okabe, K. Ito, "Color universal design", 2008.
-constexpr CurveStyle MidpointStyle = { { 0, 114, 178 }, Marker::Circle, Stroke::Solid };
-constexpr CurveStyle PreIntegratedStyle = { { 204, 121, 167 }, Marker::Square, Stroke::Solid };
-constexpr CurveStyle SimpsonStyle = { { 0, 158, 115 }, Marker::Diamond, Stroke::Solid };
-constexpr CurveStyle SumStyle = { { 230, 159, 0 }, Marker::Plus, Stroke::Dashed };
-constexpr CurveStyle VtkGpuStyle = { { 213, 94, 0 }, Marker::Square, Stroke::Dashed };
-constexpr CurveStyle VtkCpuStyle = { { 0, 0, 0 }, Marker::Diamond, Stroke::Dashed };
-
-const Method MidpointPackets = { "Varimarch, midpoint, packets",
-  { { 86, 180, 233 }, Marker::Cross, Stroke::Dashed }, MapperKind::Varimarch, Integration::Midpoint,
-  false, 2.0 };
-const Method VtkGpu = { "VTK GPU mapper", VtkGpuStyle, MapperKind::VtkGpu, Integration::Midpoint,
-  false, 1.0 };
-const Method VtkCpu = { "VTK fixed-point mapper", VtkCpuStyle, MapperKind::VtkCpu,
-  Integration::Midpoint, false, 1.0 };
+const Method MidpointPackets = { "Varimarch, midpoint, packets", MapperKind::Varimarch,
+  Integration::Midpoint, false, 2.0 };
+const Method VtkGpu = { "VTK GPU mapper", MapperKind::VtkGpu, Integration::Midpoint, false, 1.0 };
+const Method VtkCpu = { "VTK fixed-point mapper", MapperKind::VtkCpu, Integration::Midpoint, false,
+  1.0 };
 
 // Each is shorter by the root of two, so that short curves have enough points for a fit.
 constexpr double StepsVoxels[] = { 4.0, 2.828, 2.0, 1.414, 1.0, 0.7071, 0.5, 0.3536, 0.25, 0.1768,
@@ -59,13 +180,11 @@ std::vector<Method> MethodsOfSteps(bool isSmooth)
 {
   constexpr MapperKind Shaders = MapperKind::VarimarchShaders;
   return {
-    { "Varimarch, midpoint", MidpointStyle, Shaders, Integration::Midpoint, false, 2.0 },
+    { "Varimarch, midpoint", Shaders, Integration::Midpoint, false, 2.0 },
     MidpointPackets,
-    { "Varimarch, pre-integrated", PreIntegratedStyle, Shaders, Integration::PreIntegrated, false,
-      2.0 },
-    { "Varimarch, Simpson", SimpsonStyle, Shaders, Integration::Simpson, false,
-      isSmooth ? 4.0 : 2.0 },
-    { "published sum", SumStyle, Shaders, Integration::PublishedSum, false, 1.0 },
+    { "Varimarch, pre-integrated", Shaders, Integration::PreIntegrated, false, 2.0 },
+    { "Varimarch, Simpson", Shaders, Integration::Simpson, false, isSmooth ? 4.0 : 2.0 },
+    { "published sum", Shaders, Integration::PublishedSum, false, 1.0 },
     VtkGpu,
     VtkCpu,
   };
@@ -99,7 +218,7 @@ OrderPoint PointOf(double width, vtkImageData* picture, vtkImageData* truth)
 
 OrderCurve CurveOf(const Method& method)
 {
-  return { method.title, method.style, method.order, {}, {} };
+  return { method.title, method.order, {}, {} };
 }
 
 double VoxelSideMm(vtkImageData* image)
@@ -148,10 +267,9 @@ OrderExperiment RefineTolerance(ProceduralKind kind, int side, const OnStep& onS
   scene.render = {};
   const auto image = ProceduralVolume(std::get<ProceduralSource>(scene.volume));
   const auto truth = DrawReferencePicture(scene, image, TruthTolerance)->image;
-  const Method packets = { "Varimarch", MidpointStyle, MapperKind::Varimarch, Integration::Midpoint,
-    false, 1.0 };
-  const Method shaders = { "Varimarch, by shaders", PreIntegratedStyle,
-    MapperKind::VarimarchShaders, Integration::Midpoint, false, 1.0 };
+  const Method packets = { "Varimarch", MapperKind::Varimarch, Integration::Midpoint, false, 1.0 };
+  const Method shaders = { "Varimarch, by shaders", MapperKind::VarimarchShaders,
+    Integration::Midpoint, false, 1.0 };
   for (const Method& method : { packets, shaders })
   {
     OrderCurve curve = CurveOf(method);
@@ -190,9 +308,9 @@ OrderExperiment RefineGrid(int side, bool isInside, const OnStep& onStep)
   {
     ClipToInside(scene);
   }
-  const Method linear = { "Varimarch, linear", MidpointStyle, MapperKind::VarimarchShaders,
-    Integration::Midpoint, false, 2.0 };
-  const Method cubic = { "Varimarch, cubic spline", SimpsonStyle, MapperKind::VarimarchShaders,
+  const Method linear = { "Varimarch, linear", MapperKind::VarimarchShaders, Integration::Midpoint,
+    false, 2.0 };
+  const Method cubic = { "Varimarch, cubic spline", MapperKind::VarimarchShaders,
     Integration::Midpoint, true, isInside ? 4.0 : 2.0 };
   Method gpu = VtkGpu;
   Method cpu = VtkCpu;
@@ -272,12 +390,16 @@ OrderExperiment RefinePixels(int side, const OnStep& onStep)
   return experiment;
 }
 
-}
-
-void MeasureOrders(int side, const OnStep& onStep,
-  const std::function<void(const std::vector<OrderExperiment>&)>& onResult)
+// Measures the observed orders of convergence, after Etiene et al., "Verifying volume rendering
+// using discretization error analysis", TVCG 20(1), 2014, and Etiene, Kirby, Silva, "A study of
+// discretization errors in volume rendering integral approximations", Eurographics short papers,
+// 2013: under refinement of the steps, of the tolerance, of the grid and of the pixels. The
+// volumes of the first two are the ramp and the checkerboard of ProceduralVolume.h.
+// @param side     height and width of the images [pixels]; pixels are refined from an eighth of it
+// @param onResult receives all finished experiments after each of them
+void MeasureOrders(
+  int side, const OnStep& onStep, const std::function<void(const OrderExperiment&)>& onResult)
 {
-  std::vector<OrderExperiment> experiments;
   const std::function<OrderExperiment()> measurements[] = {
     [&] { return RefineSteps(ProceduralKind::Ramp, side, onStep); },
     [&] { return RefineSteps(ProceduralKind::Checkerboard, side, onStep); },
@@ -289,16 +411,123 @@ void MeasureOrders(int side, const OnStep& onStep,
   };
   for (const auto& measure : measurements)
   {
-    experiments.push_back(measure());
-    for (OrderCurve& curve : experiments.back().curves)
+    OrderExperiment experiment = measure();
+    for (OrderCurve& curve : experiment.curves)
     {
       std::vector<OrderPoint> fitted;
       std::copy_if(curve.points.begin(), curve.points.end(), std::back_inserter(fitted),
-        [&](const OrderPoint& point) { return point.width <= experiments.back().widestFitted; });
+        [&](const OrderPoint& point) { return point.width <= experiment.widestFitted; });
       curve.fit = FitOrder(fitted, OrderFloor);
     }
-    onResult(experiments);
+    onResult(experiment);
   }
+}
+
+nlohmann::ordered_json ToJson(const OrderCurve& curve)
+{
+  nlohmann::ordered_json json = { { "method", curve.method } };
+  if (curve.expected)
+  {
+    json["expectedOrder"] = *curve.expected;
+  }
+  if (curve.fit)
+  {
+    json["order"] = curve.fit->order;
+    json["orderHalfWidth95"] = curve.fit->halfWidth;
+    json["fittedPoints"] = curve.fit->points;
+  }
+  for (const OrderPoint& point : curve.points)
+  {
+    json["points"].push_back(
+      { { "width", point.width }, { "rmse255", point.rmse }, { "largest255", point.largest } });
+  }
+  return json;
+}
+
+nlohmann::ordered_json ToJson(const OrderExperiment& experiment)
+{
+  nlohmann::ordered_json json = { { "name", experiment.name }, { "title", experiment.title },
+    { "width", experiment.widthName }, { "methods", nlohmann::ordered_json::array() } };
+  if (std::isfinite(experiment.widestFitted))
+  {
+    json["widestFitted"] = experiment.widestFitted;
+  }
+  for (const OrderCurve& curve : experiment.curves)
+  {
+    json["methods"].push_back(ToJson(curve));
+  }
+  return json;
+}
+
+struct OrderOptions
+{
+  int side = 128; ///< height and width of the images [pixels], a multiple of 8
+};
+
+void AddOrderOptions(CLI::App& command, OrderOptions& options)
+{
+  command
+    .add_option("--side", options.side, "Side of the square images, a multiple of 8 (default 128)")
+    ->check(CLI::Range(16, 1024).description(""))
+    ->type_name("PIXELS");
+}
+
+void RunOrder(const OrderOptions& options, BenchResults& results)
+{
+  results.json.update({ { "side", options.side }, { "floor", OrderFloor },
+    { "experiments", nlohmann::ordered_json::array() } });
+  Progress progress("Measuring orders of convergence");
+  MeasureOrders(
+    options.side, [&](const std::string& step) { progress.SetActivity(step); },
+    [&](const OrderExperiment& experiment)
+    {
+      results.json["experiments"].push_back(ToJson(experiment));
+      results.Write("orders up to " + experiment.title);
+    });
+}
+
+}
+
+Benchmark OrderBenchmark()
+{
+  return MakeBenchmark("order",
+    "Measure orders of convergence under refinement of steps, grid and pixels",
+    "Example:\n  varimarch-bench order -o order", AddOrderOptions, RunOrder);
+}
+
+std::optional<OrderFit> FitOrder(const std::vector<OrderPoint>& points, double floor)
+{
+  std::vector<std::array<double, 2>> logs;
+  for (const OrderPoint& point : points)
+  {
+    if (point.rmse > floor)
+    {
+      logs.push_back({ std::log(point.width), std::log(point.rmse) });
+    }
+  }
+  const int count = int(logs.size());
+  if (count < 3)
+  {
+    return std::nullopt;
+  }
+  std::array<double, 2> mean = {};
+  for (const auto& [x, y] : logs)
+  {
+    mean[0] += x / count;
+    mean[1] += y / count;
+  }
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  for (const auto& [x, y] : logs)
+  {
+    xx += (x - mean[0]) * (x - mean[0]);
+    xy += (x - mean[0]) * (y - mean[1]);
+    yy += (y - mean[1]) * (y - mean[1]);
+  }
+  const double order = xy / xx;
+  const double variance = std::max(yy - order * xy, 0.0) / (count - 2);
+  return OrderFit{ order, StudentQuantile(count - 2) * std::sqrt(variance / xx), count };
 }
 
 }

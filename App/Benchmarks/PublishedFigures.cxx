@@ -1,9 +1,9 @@
-#include "PublishedFigures.h"
+#include "Published.h"
 
+#include "BenchMethods.h"
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Results.h"
 #include "Core/Fields/VariationField.h"
-#include "PublishedScenes.h"
 #include "Scene/Canvas.h"
 #include "Scene/DifferencePicture.h"
 #include "Scene/ImageFiles.h"
@@ -155,7 +155,7 @@ vtkSmartPointer<vtkImageData> RoundedTo(int bits, vtkImageData* bytes)
   return rounded;
 }
 
-PublishedFigure Figure3(const std::string& folder, const std::string& volumes, int side)
+PublishedFigure Figure3(const std::filesystem::path& folder, const std::string& volumes, int side)
 {
   Stage stage(volumes + "/" + VisMaleFile, HeadUpright, side);
   stage.UseHardLook(BoneThreshold);
@@ -172,15 +172,15 @@ PublishedFigure Figure3(const std::string& folder, const std::string& volumes, i
     differences +=
       (differences.empty() ? "" : ", ") + name + " " + Fixed(stage.Difference(image, whole), 2);
   }
-  WritePng(
-    Sheet({ { tiles[0], tiles[1] }, { tiles[2], tiles[3] } }, side), folder + "/figure-3.png");
+  WritePng(Sheet({ { tiles[0], tiles[1] }, { tiles[2], tiles[3] } }, side),
+    (folder / "figure-3.png").string());
   return { "figure-3.png",
     "Figure 3, the bits of a voxel: VIS MALE with voxels rounded to 8, 6, 4 and 1 bits, a hard "
     "transfer function and steps of half a voxel. RMSE from the image of 8 bits, in 1/255: " +
       differences + "." };
 }
 
-PublishedFigure Figure5(const std::string& folder, const std::string& volumes, int side)
+PublishedFigure Figure5(const std::filesystem::path& folder, const std::string& volumes, int side)
 {
   Stage stage(volumes + "/" + VisMaleFile, HeadUpright, side);
   std::vector<Tile> tiles;
@@ -189,23 +189,23 @@ PublishedFigure Figure5(const std::string& folder, const std::string& volumes, i
     tiles.push_back(
       stage.Draw(std::to_string(steps) + " steps", stage.VoxelsAlong() / steps, Plain(stage)));
   }
-  WritePng(Sheet({ tiles }, side), folder + "/figure-5.png");
+  WritePng(Sheet({ tiles }, side), (folder / "figure-5.png").string());
   return { "figure-5.png",
     "Figure 5, the number of steps: VIS MALE with so many steps along its longest edge." };
 }
 
-PublishedFigure Figure6(const std::string& folder, const std::string& volumes, int side)
+PublishedFigure Figure6(const std::filesystem::path& folder, const std::string& volumes, int side)
 {
   Stage stage(volumes + "/" + VisMaleFile, HeadUpright, side);
   const std::vector<Tile> tiles = { stage.Draw("60 steps of a voxel", 1.0, Plain(stage, 60)),
     stage.Draw("no limit", 1.0, Plain(stage)) };
-  WritePng(Sheet({ tiles }, side), folder + "/figure-6.png");
+  WritePng(Sheet({ tiles }, side), (folder / "figure-6.png").string());
   return { "figure-6.png",
     "Figure 6, a short range: rays end after 60 steps of one voxel, and the far half is missing." };
 }
 
 // Long steps between two views that are close, and the paper's first cure.
-PublishedFigure Figure7(const std::string& folder, const std::string& volumes, int side)
+PublishedFigure Figure7(const std::filesystem::path& folder, const std::string& volumes, int side)
 {
   constexpr double LongStep = 6.0;
   constexpr double BranchThreshold = 0.3;
@@ -222,7 +222,7 @@ PublishedFigure Figure7(const std::string& folder, const std::string& volumes, i
     plain.push_back(stage.Draw("long steps," + view, LongStep, Plain(stage)));
     cured.push_back(stage.Draw("first hit," + view, LongStep, cure));
   }
-  WritePng(Sheet({ plain, cured }, side), folder + "/figure-7.png");
+  WritePng(Sheet({ plain, cured }, side), (folder / "figure-7.png").string());
   return { "figure-7.png",
     "Figure 7, steps that are too long: steps of 6 voxels, from 0 and 2 degrees; thin branches "
     "come and go with the camera. Below, the first cure of the paper: fine steps to an opacity "
@@ -246,7 +246,7 @@ Tile SliceOf(vtkImageData* bytes, int z, const std::string& caption, double scal
   return { caption, picture };
 }
 
-PublishedFigure Figure9(const std::string& folder, const std::string& volumes)
+PublishedFigure Figure9(const std::filesystem::path& folder, const std::string& volumes)
 {
   constexpr double Brightest = 32.0; // distance in voxels that is white
   const LoadedVolume volume = LoadAtSize(volumes + "/" + VisMaleFile, Side);
@@ -260,13 +260,13 @@ PublishedFigure Figure9(const std::string& folder, const std::string& volumes)
     slices.push_back(SliceOf(volume.image, z, name, 1.0));
     fields.push_back(SliceOf(field, z, name + ", its field", 255.0 / Brightest));
   }
-  WritePng(Sheet({ slices, fields }, Side), folder + "/figure-9.png");
+  WritePng(Sheet({ slices, fields }, Side), (folder / "figure-9.png").string());
   return { "figure-9.png",
     "Figure 9, slices of VIS MALE and their field S for E = 4/255: black is a distance of 0, white "
     "one of 32 voxels or more." };
 }
 
-PublishedFigure Figure10(const std::string& folder, const std::string& volumes, int side)
+PublishedFigure Figure10(const std::filesystem::path& folder, const std::string& volumes, int side)
 {
   Stage stage(volumes + "/" + VisMaleFile, HeadUpright, side);
   stage.UsePeak(0.44); // a little above most of the tissue
@@ -283,7 +283,7 @@ PublishedFigure Figure10(const std::string& folder, const std::string& volumes, 
     numbers +=
       (numbers.empty() ? "" : ", ") + name + " " + Fixed(stage.Difference(image, plain), 2);
   }
-  WritePng(Sheet({ images, errors }, side), folder + "/figure-10.png");
+  WritePng(Sheet({ images, errors }, side), (folder / "figure-10.png").string());
   return { "figure-10.png",
     "Figure 10, E = 10/255 against 4/255, with a narrow peak above the values of most tissue and "
     "steps of a voxel. Below, the differences from the same loop without a field, from 0.1 (blue) "
@@ -294,7 +294,7 @@ PublishedFigure Figure10(const std::string& folder, const std::string& volumes, 
 }
 
 std::vector<PublishedFigure> DrawPublishedFigures(
-  const std::string& volumes, int side, const std::string& folder, const OnStep& onStep)
+  const std::string& volumes, int side, const std::filesystem::path& folder, const OnStep& onStep)
 {
   std::vector<PublishedFigure> figures;
   onStep("Figures");

@@ -1,9 +1,14 @@
 #include "ShaderCost.h"
 
-#include "CapturedErrors.h"
+#include "BenchMethods.h"
+#include "Benchmark.h"
+#include "CommandLine/Parser.h"
+#include "CommandLine/Progress.h"
+#include "CommandLine/SceneArguments.h"
+#include "CommandLine/Truth.h"
 #include "CommandLine/VtkMessages.h"
 #include "FeatureView.h"
-#include "MethodView.h"
+#include "Scene/OffscreenView.h"
 #include "VtkVersions.h"
 
 #include <vtkCallbackCommand.h>
@@ -12,17 +17,53 @@
 #include <vtkVariationFieldVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <memory>
 #include <regex>
 #include <sstream>
+#include <stdexcept>
 
 namespace varimarch
 {
 
 namespace
 {
+
+// Sends the standard error to a file for the lifetime of this object.
+class RedirectedErrors
+{
+public:
+  explicit RedirectedErrors(std::FILE* file)
+  {
+    std::fflush(stderr);
+    dup2(fileno(file), STDERR_FILENO);
+  }
+
+  ~RedirectedErrors()
+  {
+    std::fflush(stderr);
+    dup2(this->before, STDERR_FILENO);
+    close(this->before);
+  }
+
+private:
+  int before = dup(STDERR_FILENO);
+};
+
+/// The cost of a recipe's shader, without light and with it.
+struct ShaderCost
+{
+  std::string recipe;
+  std::optional<ProgramCost> plain; ///< empty if the recipe is always lit
+  std::optional<ProgramCost> lit;   ///< empty if the recipe is never lit
+};
 
 bool IsSampler(GLenum type)
 {
@@ -143,14 +184,16 @@ bool IsOfLight(const std::string& name)
   return name == "shading" || name.find("-shaded") != std::string::npos;
 }
 
-}
-
+// Asks Mesa, if it is the driver, to print the shaders that it compiles. It must be called before
+// there is any OpenGL.
 void LetMesaPrintShaders()
 {
   setenv("ST_DEBUG", "tgsi", 1); // its name for the last form before the driver's
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 }
 
+// The costs of the methods of the benchmarks that march rays by shaders, and of all features.
+// Nothing is timed.
 std::vector<ShaderCost> CostsOfShaders(
   const Scene& scene, vtkImageData* image, const OnStep& onStep)
 {
@@ -165,6 +208,92 @@ std::vector<ShaderCost> CostsOfShaders(
     }
   }
   return costs;
+}
+
+nlohmann::ordered_json ToJson(const ProgramCost& cost)
+{
+  nlohmann::ordered_json json = { { "numbers", cost.numbers }, { "textures", cost.textures },
+    { "binaryBytes", cost.binaryBytes } };
+  if (cost.printed)
+  {
+    json["instructions"] = cost.printed->instructions;
+    json["fetches"] = cost.printed->fetches;
+    json["inputs"] = cost.printed->inputs;
+  }
+  return json;
+}
+
+nlohmann::ordered_json ToJson(const std::vector<ShaderCost>& costs)
+{
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const ShaderCost& cost : costs)
+  {
+    json.push_back({ { "recipe", cost.recipe } });
+    if (cost.plain)
+    {
+      json.back()["plain"] = ToJson(*cost.plain);
+    }
+    if (cost.lit)
+    {
+      json.back()["lit"] = ToJson(*cost.lit);
+    }
+  }
+  return json;
+}
+
+struct ShaderOptions
+{
+  SceneArguments scene;
+  std::string input;
+};
+
+void AddShaderOptions(CLI::App& command, ShaderOptions& options)
+{
+  AddSceneArgument(command, options.input);
+  AddLookAndPictureOptions(command, options.scene);
+}
+
+void RunShaderCosts(const ShaderOptions& options, BenchResults& results)
+{
+  LetMesaPrintShaders();
+  const auto [scene, volume] = LoadScene(options.scene, options.input);
+  Progress progress("Compiling shaders");
+  const std::vector<ShaderCost> costs = CostsOfShaders(
+    scene, volume.image, [&](const std::string& step) { progress.SetActivity(step); });
+  results.json["openglRenderer"] =
+    OffscreenView(scene, volume.image, MapperKind::VarimarchShaders).DeviceName();
+  results.json["shaders"] = ToJson(costs);
+  results.Write("all shaders");
+}
+
+}
+
+Benchmark ShaderBenchmark()
+{
+  return MakeBenchmark("shaders", "Ask the driver for the cost of each shader, unlit and lit",
+    "Mesa's drivers also tell the instructions.\n"
+    "Example:\n"
+    "  varimarch-bench shaders procedural:torso:32x32x24 -o report",
+    AddShaderOptions, RunShaderCosts);
+}
+
+std::string ErrorsDuring(const std::function<void()>& act)
+{
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+  if (!file)
+  {
+    throw std::runtime_error("Cannot make a temporary file for what the driver prints: look for "
+                             "space in the folder of temporary files");
+  }
+  {
+    const RedirectedErrors redirected(file.get());
+    act();
+  }
+  std::fseek(file.get(), 0, SEEK_END);
+  std::string text(std::size_t(std::ftell(file.get())), '\0');
+  std::rewind(file.get());
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  return text;
 }
 
 void CountInstructions(const std::string& printed, ProgramCost& cost)

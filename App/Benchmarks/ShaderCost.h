@@ -1,14 +1,9 @@
 #ifndef Varimarch_Benchmarks_ShaderCost_h
 #define Varimarch_Benchmarks_ShaderCost_h
 
-#include "CommandLine/Truth.h"
-#include "Scene/Scene.h"
-
-#include <vtkImageData.h>
-
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace varimarch
 {
@@ -30,22 +25,9 @@ struct ProgramCost
   std::optional<PrintedShader> printed; ///< empty if the driver is not Mesa
 };
 
-/// The cost of a recipe's shader, without light and with it.
-struct ShaderCost
-{
-  std::string recipe;
-  std::optional<ProgramCost> plain; ///< empty if the recipe is always lit
-  std::optional<ProgramCost> lit;   ///< empty if the recipe is never lit
-};
-
-/// Asks Mesa, if it is the driver, to print the shaders that it compiles. It must be called before
-/// there is any OpenGL.
-void LetMesaPrintShaders();
-
-/// The costs of the methods of the benchmarks that march rays by shaders, and of all features.
-/// Nothing is timed.
-std::vector<ShaderCost> CostsOfShaders(
-  const Scene& scene, vtkImageData* image, const OnStep& onStep);
+/// The text that this process, with all its libraries, writes to its standard error while something
+/// is done.
+std::string ErrorsDuring(const std::function<void()>& act);
 
 /// Counts instructions and fetches of the longest fragment shader that Mesa has printed.
 void CountInstructions(const std::string& printed, ProgramCost& cost);

@@ -1,23 +1,42 @@
-#include "SoakBench.h"
-
-#include "Machine.h"
+#include "Benchmark.h"
+#include "CommandLine/Parser.h"
+#include "CommandLine/Progress.h"
+#include "CommandLine/SceneArguments.h"
 #include "Scene/Median.h"
 #include "Scene/OffscreenView.h"
+#include "Scene/Scene.h"
+#include "Scene/VolumeLoading.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
 
+#include <CLI/CLI.hpp>
+
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace varimarch
 {
 
 namespace
 {
+
+/// One of the equal parts of a long run.
+struct SoakPart
+{
+  int frames;               ///< number of frames since the start of the run
+  double medianMs;          ///< median time of the part's frames
+  double residentMegabytes; ///< memory of the process at the end of the part
+  int openFiles;            ///< open files of the process at the end of the part
+  int threads;              ///< threads of the process at the end of the part
+};
+
+constexpr int SoakParts = 10;
 
 int OpenFiles()
 {
@@ -89,26 +108,71 @@ private:
   std::unique_ptr<OffscreenView> view;
 };
 
-}
-
-std::vector<SoakPart> Soak(const Scene& scene, const LoadedVolume& volume, int frames,
+// Renders a scene as a long working day does: each frame is seen from another side, every tenth has
+// another look, every 50th other voxels, and every 200th other cuts.
+// @param frames  at least SoakParts
+// @param onPart  called after each part
+void Soak(const Scene& scene, const LoadedVolume& volume, int frames,
   const std::function<void(const SoakPart&)>& onPart)
 {
   Day day(scene, volume.image);
-  std::vector<SoakPart> parts;
+  int parts = 0;
   std::vector<double> times;
   for (int frame = 1; frame <= frames; ++frame)
   {
     times.push_back(day.Frame(frame));
-    if (frame == int(std::int64_t(frames) * (int(parts.size()) + 1) / SoakParts))
+    if (frame == int(std::int64_t(frames) * (parts + 1) / SoakParts))
     {
-      parts.push_back(
+      ++parts;
+      onPart(
         { frame, Median(times), ResidentMegabytes(), OpenFiles(), int(StatusNumber("Threads")) });
       times.clear();
-      onPart(parts.back());
     }
   }
-  return parts;
+}
+
+struct SoakOptions
+{
+  SceneArguments scene;
+  std::string input;
+  int frames = 20000; ///< at least SoakParts
+};
+
+void AddSoakOptions(CLI::App& command, SoakOptions& options)
+{
+  AddSceneArgument(command, options.input);
+  AddLookAndPictureOptions(command, options.scene);
+  command.add_option("--frames", options.frames, "Number of frames (default 20000)")
+    ->check(CLI::Range(SoakParts, 100000000).description(""))
+    ->type_name("N");
+}
+
+void RunSoak(const SoakOptions& options, BenchResults& results)
+{
+  const auto [scene, volume] = LoadScene(options.scene, options.input);
+  Progress progress("Rendering " + std::to_string(options.frames) + " frames");
+  Soak(scene, volume, options.frames,
+    [&](const SoakPart& part)
+    {
+      results.json["parts"].push_back({ { "frames", part.frames }, { "medianMs", part.medianMs },
+        { "residentMegabytes", part.residentMegabytes }, { "openFiles", part.openFiles },
+        { "threads", part.threads } });
+      const std::string frames = std::to_string(part.frames) + " frames";
+      results.Write(frames);
+      progress.SetActivity(frames + " of " + std::to_string(options.frames) + " rendered");
+    });
+}
+
+}
+
+Benchmark SoakBenchmark()
+{
+  return MakeBenchmark("soak",
+    "Render for a long time, with edits and other voxels, and watch memory and speed",
+    "Examples:\n"
+    "  varimarch-bench soak head.nii.gz -o report\n"
+    "  varimarch-bench soak procedural:torso:128x128x96 -o report --frames 100000",
+    AddSoakOptions, RunSoak);
 }
 
 }

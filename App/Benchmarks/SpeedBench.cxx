@@ -1,18 +1,101 @@
-#include "SpeedBench.h"
-
 #include "BenchMethods.h"
+#include "BenchScenes.h"
+#include "CommandLine/Parser.h"
+#include "CommandLine/PictureError.h"
 #include "CommandLine/Results.h"
+#include "FrameCost.h"
 #include "Scene/Median.h"
+#include "Scene/SceneNames.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace varimarch
 {
 
 namespace
 {
+
+/// A method's measurements on one scene.
+struct SpeedPoint
+{
+  std::string method; ///< "ours", "off", each also "-shader", "published", "vtk-gpu" or "vtk-cpu"
+  MapperKind kind;
+  RenderOptions options;
+  double firstSeconds;                   ///< time of the first frame
+  ImageError error;                      ///< error against the truth
+  std::optional<double> fetchesPerPixel; ///< see FrameCost.h
+  std::optional<double> graphicsBytes;   ///< see FrameCost.h
+  std::vector<FrameCost>
+    rounds;         ///< one per comparison and round; without comparisons one per round
+  FrameCost median; ///< median of the rounds
+};
+
+/// A goal: to be faster than another method by a factor, at an error of at most a fraction of its
+/// error.
+struct SpeedTarget
+{
+  std::string title;
+  std::string rival;   ///< method to compare with
+  std::string ours;    ///< our method, marched on the same device as the rival
+  double partOfError;  ///< limit of our RMSE, as a fraction of the rival's
+  double timesWanted;  ///< speed-up over the rival, geometric mean of all scenes
+  double timesAtLeast; ///< speed-up on every scene; 0: no goal
+};
+
+/// All measurements on one scene at one size.
+struct SpeedCase
+{
+  std::string scene;
+  bool shaded;
+  int side;                       ///< side of the square image [pixels]
+  std::vector<SpeedPoint> points; ///< points: default settings first, then ours at other tolerances
+  /// Index of our point with the largest tolerance that keeps the error of each target; empty if
+  /// none does, or if the rival does not apply to the scene.
+  std::vector<std::optional<std::size_t>> keeping;
+  /// Speed-up in each round over each target's rival. Both were drawn one right after the other.
+  std::vector<std::vector<double>> timesAsFast;
+  std::string openglRenderer;
+};
+
+struct SpeedOptions
+{
+  BenchSceneOptions scenes;
+  std::vector<int> sides = { 256, 512, 1024 };
+  std::vector<bool> shaded = { false, true };
+  int rounds = 3;
+  double longestSeconds = 20.0; ///< time above which frames are drawn in one round only
+};
+
+const std::vector<SpeedTarget>& SpeedTargets()
+{
+  static const std::vector<SpeedTarget> targets = {
+    { "VTK's GPU mapper, RMSE lower", "vtk-gpu", "ours", 1.0, 15.0, 4.0 },
+    { "VTK's fixed-point mapper, RMSE 5 times lower", "vtk-cpu", "ours", 0.2, 2.0, 0.0 },
+    { "no field, same RMSE", "off", "ours", 1.0, 5.0, 1.0 },
+    { "no field, same RMSE, both by shaders", "off-shader", "ours-shader", 1.0, 5.0, 1.0 },
+    { "published method, same RMSE", "published", "ours", 1.0, 3.0, 0.0 },
+    { "published method, same RMSE, both by shaders", "published", "ours-shader", 1.0, 3.0, 0.0 },
+  };
+  return targets;
+}
+
+const SpeedPoint* Rival(const SpeedCase& measured, const SpeedTarget& target)
+{
+  const auto rival = std::find_if(measured.points.begin(), measured.points.end(),
+    [&](const SpeedPoint& point) { return point.method == target.rival; });
+  return rival == measured.points.end() ? nullptr : &*rival;
+}
+
+std::optional<double> TimesAsFast(const SpeedCase& measured, std::size_t target)
+{
+  const std::vector<double>& rounds = measured.timesAsFast[target];
+  return rounds.empty() ? std::nullopt : std::optional<double>(Median(rounds));
+}
 
 /// Measures one scene at one size.
 struct Bench
@@ -275,41 +358,10 @@ void KeepErrors(const Bench& bench, SpeedCase& measured)
   }
 }
 
-}
-
-// Colours of M. Okabe, K. Ito, "Color universal design", 2008.
-const std::vector<SpeedTarget>& SpeedTargets()
-{
-  static const std::vector<SpeedTarget> targets = {
-    { "VTK's GPU mapper, RMSE lower", "vtk-gpu", "ours", 1.0, 15.0, 4.0,
-      { { 213, 94, 0 }, Marker::Square, Stroke::Solid } },
-    { "VTK's fixed-point mapper, RMSE 5 times lower", "vtk-cpu", "ours", 0.2, 2.0, 0.0,
-      { { 0, 0, 0 }, Marker::Diamond, Stroke::Dashed } },
-    { "no field, same RMSE", "off", "ours", 1.0, 5.0, 1.0,
-      { { 86, 180, 233 }, Marker::Circle, Stroke::Solid } },
-    { "no field, same RMSE, both by shaders", "off-shader", "ours-shader", 1.0, 5.0, 1.0,
-      { { 86, 180, 233 }, Marker::Circle, Stroke::Dotted } },
-    { "published method, same RMSE", "published", "ours", 1.0, 3.0, 0.0,
-      { { 230, 159, 0 }, Marker::Diamond, Stroke::Solid } },
-    { "published method, same RMSE, both by shaders", "published", "ours-shader", 1.0, 3.0, 0.0,
-      { { 230, 159, 0 }, Marker::Diamond, Stroke::Dotted } },
-  };
-  return targets;
-}
-
-const SpeedPoint* Rival(const SpeedCase& measured, const SpeedTarget& target)
-{
-  const auto rival = std::find_if(measured.points.begin(), measured.points.end(),
-    [&](const SpeedPoint& point) { return point.method == target.rival; });
-  return rival == measured.points.end() ? nullptr : &*rival;
-}
-
-std::optional<double> TimesAsFast(const SpeedCase& measured, std::size_t target)
-{
-  const std::vector<double>& rounds = measured.timesAsFast[target];
-  return rounds.empty() ? std::nullopt : std::optional<double>(Median(rounds));
-}
-
+/// Draws a scene at each size, shaded and not, in rounds: each method at its default setting, and
+/// ours also at the error tolerances that the targets need. The two methods of a target are drawn
+/// one right after the other, in alternating order, each in a new window with a new mapper.
+/// @throws std::runtime_error when a mapper reports an error
 std::vector<SpeedCase> MeasureSpeed(
   const LoadedScene& loaded, const SpeedOptions& options, const OnStep& onStep)
 {
@@ -334,6 +386,112 @@ std::vector<SpeedCase> MeasureSpeed(
     }
   }
   return cases;
+}
+
+nlohmann::ordered_json ToJson(const SpeedPoint& point)
+{
+  nlohmann::ordered_json json = { { "method", point.method },
+    { "renderer", NameOf(MapperKindNames(), point.kind) } };
+  if (point.options.sampleDistanceMm)
+  {
+    json["sampleDistanceMm"] = *point.options.sampleDistanceMm;
+  }
+  else
+  {
+    json["errorTolerance"] = point.options.errorTolerance;
+  }
+  json["error255"] = ToJson(point.error);
+  if (point.fetchesPerPixel)
+  {
+    json["fetchesPerPixel"] = *point.fetchesPerPixel;
+    json["graphicsBytes"] = *point.graphicsBytes;
+  }
+  json["median"] = ToJson(point.median);
+  for (const FrameCost& cost : point.rounds)
+  {
+    json["rounds"].push_back(ToJson(cost));
+  }
+  return json;
+}
+
+nlohmann::ordered_json ToJson(const SpeedCase& measured)
+{
+  nlohmann::ordered_json json = { { "scene", measured.scene }, { "shaded", measured.shaded },
+    { "side", measured.side }, { "openglRenderer", measured.openglRenderer } };
+  for (const SpeedPoint& point : measured.points)
+  {
+    json["points"].push_back(ToJson(point));
+  }
+  for (std::size_t i = 0; i < SpeedTargets().size(); ++i)
+  {
+    if (const auto times = TimesAsFast(measured, i))
+    {
+      json["keeping"].push_back(
+        { { "target", i }, { "rival", SpeedTargets()[i].rival }, { "point", *measured.keeping[i] },
+          { "timesAsFast", *times }, { "rounds", measured.timesAsFast[i] } });
+    }
+  }
+  return json;
+}
+
+nlohmann::ordered_json JsonOfTargets()
+{
+  nlohmann::ordered_json json;
+  for (const SpeedTarget& target : SpeedTargets())
+  {
+    json.push_back(
+      { { "against", target.title }, { "rival", target.rival }, { "ours", target.ours },
+        { "timesWanted", target.timesWanted }, { "timesAtLeast", target.timesAtLeast } });
+  }
+  return json;
+}
+
+void AddSpeedOptions(CLI::App& command, SpeedOptions& options)
+{
+  AddBenchSceneOptions(command, options.scenes);
+  command.add_option("--sides", options.sides, "Sides of the square images (default 256,512,1024)")
+    ->delimiter(',')
+    ->check(CLI::Range(1, 4096).description(""))
+    ->type_name("PIXELS");
+  const auto setShaded = [&options](const std::string& shading)
+  {
+    options.shaded =
+      shading == "both" ? std::vector<bool>{ false, true } : std::vector<bool>{ shading == "on" };
+  };
+  command
+    .add_option_function<std::string>(
+      "--shading", setShaded, "Draw with shading, without, or both (default both)")
+    ->check(OneOf({ "both", "off", "on" }));
+  AddRoundsOption(command, options.rounds);
+  AddLongestOption(
+    command, options.longestSeconds, "Draw frames that take longer in only one round (default 20)");
+}
+
+void RunSpeed(const SpeedOptions& options, BenchResults& results)
+{
+  results.json.update({ { "rounds", options.rounds }, { "longestSeconds", options.longestSeconds },
+    { "targets", JsonOfTargets() } });
+  MeasureSceneByScene(options.scenes, results,
+    [&](const LoadedScene& scene, const OnStep& onStep)
+    {
+      for (const SpeedCase& measured : MeasureSpeed(scene, options, onStep))
+      {
+        results.json["cases"].push_back(ToJson(measured));
+      }
+    });
+}
+
+}
+
+Benchmark SpeedBenchmark()
+{
+  return MakeBenchmark("speed",
+    "Compare times with VTK's mappers, our march without a field and the published one",
+    "Examples:\n"
+    "  varimarch-bench speed --volumes volumes -o report\n"
+    "  varimarch-bench speed --volumes volumes --only bonsai,tooth-soft -o report\n"
+    "  varimarch-bench speed Data/Scenes/*.json -o report --sides 256 --shading off",
+    AddSpeedOptions, RunSpeed);
 }
 
 }

@@ -1,12 +1,27 @@
 #include "WorkPrecision.h"
 
+#include "Benchmark.h"
+#include "CommandLine/Parser.h"
+#include "CommandLine/Progress.h"
 #include "CommandLine/Results.h"
+#include "CommandLine/SceneArguments.h"
 #include "CommandLine/VtkMessages.h"
-#include "MethodView.h"
+#include "Core/Quality/ImageError.h"
+#include "Scene/Canvas.h"
+#include "Scene/DifferencePicture.h"
+#include "Scene/ImageFiles.h"
 #include "Scene/Median.h"
+#include "Scene/SceneNames.h"
+
+#include <vtkCamera.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -15,6 +30,95 @@ namespace varimarch
 
 namespace
 {
+
+// The sample distance of a point in smallest voxel spacings.
+double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point)
+{
+  return point.sampleDistanceMm / VoxelMm(scene.volume.image);
+}
+
+using Pixels = std::vector<float>;
+
+void Turn(MethodView& view, double degrees)
+{
+  vtkRenderer* const renderer = view.Offscreen().Pipeline().Renderer();
+  renderer->GetActiveCamera()->Azimuth(degrees);
+  renderer->ResetCameraClippingRange();
+}
+
+Pixels PixelsOf(MethodView& view)
+{
+  const auto picture = view.Offscreen().FloatImage();
+  const auto* const channels = static_cast<const float*>(picture->GetScalarPointer());
+  return Pixels(channels, channels + 4 * picture->GetNumberOfPoints());
+}
+
+Pixels Less(Pixels pixels, const Pixels& fine)
+{
+  std::transform(pixels.begin(), pixels.end(), fine.begin(), pixels.begin(), std::minus<float>());
+  return pixels;
+}
+
+RenderOptions FineOptions(vtkImageData* image)
+{
+  RenderOptions options;
+  options.earlyTerminationTransmittance = 0.0;
+  return AtDistance(image, 0.125, options).options;
+}
+
+// A method on its way through an orbit.
+struct OrbitingView
+{
+  MethodView* view;
+  Pixels error; ///< the error of the last frame; empty before the first
+  std::vector<double> changes;
+
+  void TakeFrame(const Pixels& fine)
+  {
+    Pixels next = Less(PixelsOf(*this->view), fine);
+    if (!this->error.empty())
+    {
+      this->changes.push_back(
+        CompareImages(next.data(), this->error.data(), next.size() / 4).rootMeanSquare);
+    }
+    this->error = std::move(next);
+  }
+};
+
+// Draws the same orbit with all methods, and with our mapper at eight samples per voxel as the
+// fine frames. The cameras are as before afterwards.
+// @param views   methods with their settings
+// @param frames  at least 2
+std::vector<OrbitChange> ChangesInOrbit(const std::vector<MethodView*>& views, const Scene& scene,
+  vtkImageData* image, int frames, const OnStep& onStep)
+{
+  MethodView fineView({ "fine", "fine frames", MapperKind::Varimarch, {} }, scene, image);
+  fineView.SetOptions(FineOptions(image));
+  const double degrees = OrbitDegrees / (frames - 1);
+  std::vector<OrbitingView> orbiting;
+  for (MethodView* const view : views)
+  {
+    view->Offscreen().Render(); // VTK's GPU mapper draws its first frame only into the window
+    orbiting.push_back({ view, {}, {} });
+  }
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    onStep("frame " + std::to_string(frame + 1) + " of " + std::to_string(frames) + " of an orbit");
+    const Pixels fine = PixelsOf(fineView);
+    for (OrbitingView& one : orbiting)
+    {
+      one.TakeFrame(fine);
+      Turn(*one.view, frame + 1 < frames ? degrees : -OrbitDegrees);
+    }
+    Turn(fineView, degrees);
+  }
+  std::vector<OrbitChange> summaries;
+  for (const OrbitingView& one : orbiting)
+  {
+    summaries.push_back(SummaryOf(one.changes));
+  }
+  return summaries;
+}
 
 /// Measures one method on a scene.
 struct Runner
@@ -118,6 +222,152 @@ void MeasureOrbits(
   }
 }
 
+// The tolerance of a point; empty if it has a sample distance instead.
+std::optional<double> ToleranceOf(const WorkPoint& point)
+{
+  const RenderOptions& options = point.setting.options;
+  return options.sampleDistanceMm ? std::nullopt : std::optional<double>(options.errorTolerance);
+}
+
+nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkPoint& point)
+{
+  nlohmann::ordered_json json = { { "setting", point.setting.label },
+    { "voxels", VoxelsOf(scene, point) }, { "sampleDistanceMm", point.sampleDistanceMm } };
+  if (const auto tolerance = ToleranceOf(point))
+  {
+    json["errorTolerance"] = *tolerance;
+    json["estimatedError"] = point.estimatedError;
+  }
+  json.update(ToJson(point.error));
+  if (point.fetchesPerPixel)
+  {
+    json["fetchesPerPixel"] = *point.fetchesPerPixel;
+  }
+  if (point.graphicsBytes)
+  {
+    json["graphicsBytes"] = *point.graphicsBytes;
+  }
+  json["roundsMs"] = point.roundsMs;
+  json["medianMs"] = point.medianMs;
+  return json;
+}
+
+nlohmann::ordered_json ToJson(const WorkPrecision& scene, const WorkCurve& curve)
+{
+  nlohmann::ordered_json json = { { "method", curve.method.name }, { "title", curve.method.title },
+    { "renderer", NameOf(MapperKindNames(), curve.method.kind) }, { "eightBits", curve.eightBits },
+    { "skipped", curve.skipped }, { "shown", curve.shown } };
+  for (const WorkPoint& point : curve.points)
+  {
+    json["points"].push_back(ToJson(scene, point));
+  }
+  if (curve.orbit)
+  {
+    json["orbit"] = { { "setting", curve.points[curve.shown].setting.label },
+      { "frames", curve.orbit->frames }, { "degreesPerFrame", curve.orbit->degreesPerFrame },
+      { "medianChange255", curve.orbit->median }, { "largestChange255", curve.orbit->largest },
+      { "largestAtDegrees", curve.orbit->largestAtDegrees } };
+  }
+  return json;
+}
+
+struct WorkPrecisionOptions
+{
+  SceneArguments scene;
+  std::vector<std::string> inputs;
+  std::vector<std::string> methods; ///< empty: all
+  MeasuringOptions measuring;
+};
+
+void AddWorkPrecisionOptions(CLI::App& command, WorkPrecisionOptions& options)
+{
+  command
+    .add_option("SCENES", options.inputs,
+      "Scene files (.json), volume files, DICOM folders, or procedural:NAME[:XxYxZ]")
+    ->required();
+  AddLookAndPictureOptions(command, options.scene);
+  command.add_option("--methods", options.methods, "Methods to measure (default all)")
+    ->delimiter(',')
+    ->check(OneOf(BenchMethodNames()));
+  AddRoundsOption(command, options.measuring.rounds);
+  AddLongestOption(command, options.measuring.longestSeconds,
+    "Skip finer settings once an image takes longer (default 3)");
+  command
+    .add_option("--orbit", options.measuring.orbitFrames,
+      "Frames of an orbit in which changes of the error are measured (default 31), or 0")
+    ->check(CLI::IsMember({ 0 }).description("") | CLI::Range(2, 10000).description(""))
+    ->type_name("FRAMES");
+}
+
+// A unique name for a scene, made from its input and usable as a file name.
+std::string SceneName(const std::string& input, const nlohmann::ordered_json& others)
+{
+  std::string name = std::filesystem::path(input).stem().string();
+  std::replace_if(
+    name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c) && c != '-'; }, '-');
+  const auto taken = [&](const std::string& candidate)
+  {
+    return std::any_of(others.begin(), others.end(),
+      [&](const nlohmann::ordered_json& other) { return other["name"] == candidate; });
+  };
+  std::string unique = name;
+  for (int number = 2; taken(unique); ++number)
+  {
+    unique = name + "-" + std::to_string(number);
+  }
+  return unique;
+}
+
+// Writes the truth, the image of each method at about one sample per voxel, its difference from the
+// truth, and the scale of the differences.
+void WritePictures(const WorkPrecision& scene, const std::filesystem::path& folder)
+{
+  constexpr int ScaleWidth = 512; // pixels
+  const auto write = [&](const std::string& name, vtkImageData* picture)
+  { WritePng(picture, (folder / (name + ".png")).string()); };
+  Canvas scale(ScaleWidth, DifferenceScaleHeight, { 255, 255, 255 });
+  DrawDifferenceScale(scale, 0, 0, ScaleWidth);
+  write("difference-scale", scale.Picture());
+  write(scene.name + "-truth", BytesOver(scene.truth.picture, scene.scene.background));
+  for (const WorkCurve& curve : scene.curves)
+  {
+    const std::string name = scene.name + "-" + curve.method.name;
+    write(name, BytesOver(curve.picture, scene.scene.background));
+    write(name + "-difference", DifferencePicture(curve.picture, scene.truth.picture));
+  }
+}
+
+void RunWorkPrecision(const WorkPrecisionOptions& options, BenchResults& results)
+{
+  for (const std::string& input : options.inputs)
+  {
+    const auto [scene, volume] = LoadScene(options.scene, input);
+    Progress progress("Measuring " + input);
+    const WorkPrecision measured = MeasureRuns(SceneName(input, results.json["scenes"]), scene,
+      volume, WorkPrecisionRuns(scene, volume.image, options.methods), options.measuring,
+      [&](const std::string& step) { progress.SetActivity(step); });
+    WritePictures(measured, results.Folder());
+    ThrowIfVtkReportedError();
+    results.json["scenes"].push_back(ToJson(measured));
+    results.Write(std::to_string(results.json["scenes"].size()) + " of " +
+      std::to_string(options.inputs.size()) + " scenes");
+  }
+}
+
+}
+
+Benchmark WorkPrecisionBenchmark()
+{
+  WorkPrecisionOptions defaults;
+  defaults.measuring.orbitFrames = 31;
+  return MakeBenchmark("work-precision",
+    "Measure error against run time of our mapper's settings and of VTK's mappers",
+    "Writes results and images after each scene, so an interrupted run keeps what it has.\n"
+    "Examples:\n"
+    "  varimarch-bench work-precision head.nii.gz -o report --size 256x256\n"
+    "  varimarch-bench work-precision Data/Scenes/*.json -o report --rounds 5\n"
+    "  varimarch-bench work-precision scene.json -o report --methods optical,vtk-gpu",
+    AddWorkPrecisionOptions, RunWorkPrecision, defaults);
 }
 
 WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
@@ -162,40 +412,31 @@ WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const Loa
   return result;
 }
 
-const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method)
+OrbitChange SummaryOf(const std::vector<double>& changes)
 {
-  const auto found = std::find_if(scene.curves.begin(), scene.curves.end(),
-    [&](const WorkCurve& curve) { return curve.method.name == method; });
-  return found == scene.curves.end() ? nullptr : &*found;
+  const auto largest = std::max_element(changes.begin(), changes.end());
+  const int frames = int(changes.size()) + 1;
+  const double degrees = OrbitDegrees / double(changes.size());
+  return { frames, degrees, Median(changes), *largest,
+    degrees * double(largest - changes.begin() + 1) };
 }
 
-double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point)
+nlohmann::ordered_json ToJson(const WorkPrecision& scene)
 {
-  return point.sampleDistanceMm / VoxelMm(scene.volume.image);
-}
-
-std::optional<double> MillisecondsAtError(
-  const WorkCurve& curve, double ImageError::*measure, double error)
-{
-  std::optional<double> best;
-  const auto offer = [&](double milliseconds)
-  { best = best ? std::min(*best, milliseconds) : milliseconds; };
-  for (std::size_t i = 0; i < curve.points.size(); ++i)
+  nlohmann::ordered_json json = ResultsOf("", scene.volume);
+  json.erase("command");
+  json.update(
+    { { "name", scene.name }, { "size", scene.scene.size }, { "look", scene.scene.look.name },
+      { "shaded", scene.scene.look.shading.enabled }, { "openglRenderer", scene.openglRenderer },
+      { "reference",
+        { { "largestError255", 255.0 * scene.truth.largestError },
+          { "seconds", scene.truth.seconds }, { "text", Described(scene.truth) } } },
+      { "eightBitRmse255", scene.eightBitRmse } });
+  for (const WorkCurve& curve : scene.curves)
   {
-    const double right = curve.points[i].error.light.*measure;
-    if (right <= error)
-    {
-      offer(curve.points[i].medianMs);
-    }
-    const double left = i == 0 ? right : curve.points[i - 1].error.light.*measure;
-    if (left > error && right < error)
-    {
-      const double part = std::log(left / error) / std::log(left / right);
-      const double leftMs = curve.points[i - 1].medianMs;
-      offer(leftMs * std::pow(curve.points[i].medianMs / leftMs, part));
-    }
+    json["methods"].push_back(ToJson(scene, curve));
   }
-  return best;
+  return json;
 }
 
 }

@@ -4,8 +4,9 @@
 #include "BenchMethods.h"
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Truth.h"
-#include "OrbitChange.h"
 #include "Scene/VolumeLoading.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <optional>
 #include <string>
@@ -13,6 +14,25 @@
 
 namespace varimarch
 {
+
+/// The change of a method's error between neighbouring frames of an orbit, which the eye sees as
+/// popping, crawling or flicker: the RMSE of (frame - fine frame) - (previous frame - previous fine
+/// frame) [1/255]. The fine frames take the motion of the volume itself out.
+struct OrbitChange
+{
+  int frames; ///< frames of the orbit
+  double degreesPerFrame;
+  double median; ///< the median change of all pairs of neighbours
+  double largest;
+  double largestAtDegrees; ///< azimuth from the scene's camera at which the largest change ends
+};
+
+/// The azimuth of an orbit [degrees]: it turns the view from an axis to the next.
+constexpr double OrbitDegrees = 90.0;
+
+/// The summary of the changes from frame to frame of an orbit.
+/// @param changes  one for each frame but the first, at least one
+OrbitChange SummaryOf(const std::vector<double>& changes);
 
 /// The time and error of one setting of a method.
 struct WorkPoint
@@ -54,7 +74,7 @@ struct MeasuringOptions
 {
   int rounds = 3;
   double longestSeconds = 3.0; ///< time of a frame after which finer settings are skipped
-  int orbitFrames = 0;         ///< frames of an orbit, see OrbitChange.h; 0: none
+  int orbitFrames = 0;         ///< frames of an orbit, see OrbitChange; 0: none
 };
 
 /// Draws a scene with every method and setting, compares each with the truth, and measures the
@@ -65,19 +85,8 @@ struct MeasuringOptions
 WorkPrecision MeasureRuns(const std::string& name, const Scene& scene, const LoadedVolume& volume,
   const std::vector<BenchRun>& runs, const MeasuringOptions& options, const OnStep& onStep);
 
-/// The curve of a method; null if it was not measured on the scene.
-const WorkCurve* CurveOf(const WorkPrecision& scene, const std::string& method);
-
-/// The sample distance of a point in smallest voxel spacings.
-double VoxelsOf(const WorkPrecision& scene, const WorkPoint& point);
-
-/// The time of a method at an error, interpolated between its settings along straight lines of the
-/// log-log plot. If even its coarsest setting has a smaller error, that setting's time; empty if no
-/// setting has so small an error.
-/// @param measure  the measure of error, such as &ImageError::rootMeanSquare
-/// @param error    error, > 0 [1/255]
-std::optional<double> MillisecondsAtError(
-  const WorkCurve& curve, double ImageError::*measure, double error);
+/// All measurements of a scene as JSON.
+nlohmann::ordered_json ToJson(const WorkPrecision& scene);
 
 }
 

@@ -2,7 +2,7 @@
 
 #include "App/ComparedScene.h"
 #include "Benchmarks/Comparison/SliceGeometry.h"
-#include "Benchmarks/OrbitChange.h"
+#include "Benchmarks/WorkPrecision.h"
 
 #include "Core/Geometry/ScalarGrid.h"
 #include "Core/Look/OpticalTable.h"

@@ -1,4 +1,3 @@
-#include "Benchmarks/CapturedErrors.h"
 #include "Benchmarks/ShaderCost.h"
 
 #include <gtest/gtest.h>

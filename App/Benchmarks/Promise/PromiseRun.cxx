@@ -4,6 +4,8 @@
 
 #include <vtkHeadlessRenderWindow.h>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
@@ -93,6 +95,31 @@ void DrawSized(const PromiseKind& kind, std::uint64_t seed, int side, vtkOpenGLR
   }
 }
 
+std::string NameOf(PictureVerdict::Answer answer)
+{
+  using Answer = PictureVerdict::Answer;
+  return answer == Answer::Kept ? "kept" : (answer == Answer::Beyond ? "beyond" : "unsettled");
+}
+
+}
+
+std::string CommandFor(const PromisePicture& picture)
+{
+  return "varimarch-bench promise --only " + picture.kind + " --seed " +
+    std::to_string(picture.seed) + " --scenes 1";
+}
+
+nlohmann::ordered_json ToJson(const PromisePicture& picture)
+{
+  const PictureVerdict& verdict = picture.verdict;
+  return { { "kind", picture.kind }, { "seed", picture.seed }, { "picture", picture.number },
+    { "side", picture.side }, { "errorTolerance", picture.errorTolerance },
+    { "saysKept", picture.saysKept }, { "estimatedError", picture.estimatedError },
+    { "answer", NameOf(verdict.answer) }, { "factor", verdict.factor },
+    { "largest", verdict.largest }, { "worst", { verdict.worstX, verdict.worstY } },
+    { "beyond", verdict.beyond }, { "doubtful", verdict.doubtful }, { "pixels", verdict.pixels },
+    { "message", picture.message }, { "drawSeconds", picture.drawSeconds },
+    { "judgeSeconds", picture.judgeSeconds }, { "alone", CommandFor(picture) } };
 }
 
 void DrawPromiseScene(const PromiseKind& kind, std::uint64_t seed, vtkOpenGLRenderWindow* window,

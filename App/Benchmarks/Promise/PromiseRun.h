@@ -4,6 +4,8 @@
 #include "PictureVerdict.h"
 #include "PromiseKinds.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -38,6 +40,11 @@ struct PromisePicture
     return !this->saysKept && this->verdict.answer == PictureVerdict::Answer::Kept;
   }
 };
+
+/// The command that draws the scene of a picture alone.
+std::string CommandFor(const PromisePicture& picture);
+
+nlohmann::ordered_json ToJson(const PromisePicture& picture);
 
 /// Draws a scene and all its edits, and judges each picture.
 /// @param window  a window that was rendered to before keeps its shaders
