@@ -14,7 +14,7 @@
 namespace varimarch
 {
 
-// What the scenes and the figures of M. Banquero, E. Ortiz, B. Rossi, "Realtime volume render en
+// The scenes and the figures of M. Banquero, E. Ortiz, B. Rossi, "Realtime volume render en
 // videojuegos", 2016, have in common.
 
 /// E in 1/255 of the values' range: that of figure 10 without artefacts.

@@ -204,7 +204,7 @@ struct PublishedOptions
   int rounds = 3;
 };
 
-BenchMethod Method(const std::string& name, MapperKind kind)
+BenchMethod MethodNamed(const std::string& name, MapperKind kind)
 {
   return { name, name, kind, {} };
 }
@@ -218,7 +218,7 @@ double LongestEdgeMm(vtkImageData* image)
 // The loop with each number of steps of table 1, which are one voxel long.
 BenchRun StepsRun(vtkImageData* image, const PublishedDataSet& published)
 {
-  BenchRun run = { Method("steps", MapperKind::VarimarchShaders), {} };
+  BenchRun run = { MethodNamed("steps", MapperKind::VarimarchShaders), {} };
   for (const PublishedSteps& row : published.steps)
   {
     RenderOptions options = PublishedLoop(image, false, 0.0);
@@ -232,7 +232,7 @@ BenchRun StepsRun(vtkImageData* image, const PublishedDataSet& published)
 // The loop along whole rays.
 BenchRun WholeRun(vtkImageData* image, const std::string& name, bool hasField)
 {
-  BenchRun run = { Method(name, MapperKind::VarimarchShaders), {} };
+  BenchRun run = { MethodNamed(name, MapperKind::VarimarchShaders), {} };
   for (const double voxels : PublishedStepVoxels)
   {
     run.settings.push_back(
@@ -243,7 +243,7 @@ BenchRun WholeRun(vtkImageData* image, const std::string& name, bool hasField)
 
 BenchRun ToleranceRun(const std::string& name, MapperKind kind)
 {
-  BenchRun run = { Method(name, kind), {} };
+  BenchRun run = { MethodNamed(name, kind), {} };
   for (const int part : { 4, 8, 16, 32, 64, 128, 255 })
   {
     run.settings.push_back({ "1/" + std::to_string(part), {} });
@@ -294,7 +294,7 @@ std::vector<BenchRun> VoltRuns(vtkImageData* image, bool shaded)
     options.acceleration = acceleration;
     options.integration = Integration::Midpoint;
     options.earlyTerminationTransmittance = Saturated;
-    return BenchRun{ Method(name, kind), { AtDistance(image, Voxels, options) } };
+    return BenchRun{ MethodNamed(name, kind), { AtDistance(image, Voxels, options) } };
   };
   std::vector<BenchRun> runs = { run("ours", MapperKind::Varimarch, Acceleration::OpticalField),
     run("off", MapperKind::Varimarch, Acceleration::Off) };

@@ -2,7 +2,7 @@
 
 #include "Promise/Judge.h"
 #include "Promise/PictureVerdict.h"
-#include "Promise/PromiseContents.h"
+#include "Promise/PromiseParts.h"
 #include "Promise/PromiseScene.h"
 #include "Stages/VolumeStage.h"
 

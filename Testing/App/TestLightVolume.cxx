@@ -1,7 +1,7 @@
 // Shadows from a volume of light, compared with a reference that integrates the light's way to each
 // sample in double precision.
 
-#include "Benchmarks/Comparison/ComparedView.h"
+#include "Benchmarks/Comparison/ComparisonVolume.h"
 #include "Benchmarks/Comparison/vtkComparisonMapper.h"
 
 #include "Core/Quality/ImageError.h"

@@ -1,7 +1,7 @@
 // Kinds of faults that random scenes have shown, each in a scene that shows nothing else.
 
 #include "Module/ComponentVolumes.h"
-#include "Stages/ExtremeSceneParts.h"
+#include "Stages/ExtremeScenes.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkPlane.h>

@@ -1,4 +1,4 @@
-#include "PassMethod.h"
+#include "ComparisonMethods.h"
 
 #include "VtkVersions.h"
 

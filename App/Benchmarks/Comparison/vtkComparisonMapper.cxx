@@ -1,11 +1,8 @@
 #include "vtkComparisonMapper.h"
 
-#include "ComparedView.h"
-#include "ComparisonImage.h"
-#include "HalfAngleMethod.h"
-#include "LightVolumeMethod.h"
-#include "PassMethod.h"
-#include "SliceMethod.h"
+#include "ComparisonMethods.h"
+#include "ComparisonProgram.h"
+#include "ComparisonVolume.h"
 #include "VtkVersions.h"
 
 #include <vtkImageData.h>

@@ -1,4 +1,4 @@
-#include "JudgeLook.h"
+#include "JudgeScene.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkPiecewiseFunction.h>

@@ -1,10 +1,163 @@
-#include "Stages/ExtremeSceneParts.h"
+#include "Stages/ExtremeScenes.h"
 
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace varimarch
 {
+
+namespace extreme
+{
+
+namespace
+{
+
+// Smooth, asymmetric lumps from 0 to 1, independent of the number of voxels.
+double Lumps(double x, double y, double z)
+{
+  return 0.5 + 0.25 * std::sin(5.0 * x + 2.0 * y) + 0.25 * std::cos(4.0 * y - 3.0 * z + 1.0);
+}
+
+// A volume centred at the origin, with values from `first` to `first + range`.
+vtkSmartPointer<vtkImageData> LumpyImage(
+  Dimensions dimensions, int type, double first, double range, Spacing spacing)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(dimensions.data());
+  image->SetSpacing(spacing.data());
+  double origin[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    origin[axis] = -0.5 * (dimensions[axis] - 1) * spacing[axis];
+  }
+  image->SetOrigin(origin);
+  image->AllocateScalars(type, 1);
+  vtkDataArray* const scalars = image->GetPointData()->GetScalars();
+  vtkIdType index = 0;
+  for (int z = 0; z < dimensions[2]; ++z)
+  {
+    for (int y = 0; y < dimensions[1]; ++y)
+    {
+      for (int x = 0; x < dimensions[0]; ++x)
+      {
+        const double lumps = Lumps(double(x) / std::max(dimensions[0] - 1, 1),
+          double(y) / std::max(dimensions[1] - 1, 1), double(z) / std::max(dimensions[2] - 1, 1));
+        scalars->SetComponent(index++, 0, first + range * lumps);
+      }
+    }
+  }
+  return image;
+}
+
+void SetOpacities(VolumeStage& scene, const std::vector<Node>& nodes)
+{
+  scene.opacities->RemoveAllPoints();
+  scene.opacities->AllowDuplicateScalarsOn();
+  for (const Node& node : nodes)
+  {
+    scene.opacities->AddPoint(node.value, node.opacity);
+  }
+}
+
+void SetColors(VolumeStage& scene, double first, double last)
+{
+  scene.colors->RemoveAllPoints();
+  scene.colors->AddRGBPoint(first, 0.1, 0.5, 1.0);
+  scene.colors->AddRGBPoint(last, 1.0, 0.6, 0.1);
+}
+
+}
+
+Image Lumpy(Dimensions dimensions, int type, double first, double range, Spacing spacing)
+{
+  return [=] { return LumpyImage(dimensions, type, first, range, spacing); };
+}
+
+Image LumpyWith(double value, const std::vector<Dimensions>& voxels, Dimensions dimensions)
+{
+  return [=]
+  {
+    auto image = LumpyImage(dimensions, VTK_FLOAT, 0.0, 1.0, { 1.0, 1.0, 1.0 });
+    for (const auto& [x, y, z] : voxels)
+    {
+      image->SetScalarComponentFromDouble(x, y, z, 0, value);
+    }
+    return image;
+  };
+}
+
+Image Constant(double value, int type)
+{
+  return Lumpy(SmallBox, type, value, 0.0);
+}
+
+Preparation Opacities(const std::vector<Node>& nodes, double first, double last)
+{
+  return [=](VolumeStage& scene)
+  {
+    SetColors(scene, first, last);
+    SetOpacities(scene, nodes);
+  };
+}
+
+Preparation LookAt(double first, double range, double opacity)
+{
+  return Opacities(
+    { { first + 0.4 * range, 0.0 }, { first + range, opacity } }, first, first + range);
+}
+
+void UsualLook(VolumeStage& scene)
+{
+  LookAt(0.0, 1.0)(scene);
+}
+
+void DenseLook(VolumeStage& scene)
+{
+  LookAt(0.0, 1.0, 0.9)(scene);
+}
+
+Preparation UnitDistance(double distanceMm)
+{
+  return [=](VolumeStage& scene)
+  {
+    UsualLook(scene);
+    scene.volume->GetProperty()->SetScalarOpacityUnitDistance(distanceMm);
+  };
+}
+
+Preparation SeenFrom(const Viewpoint& view)
+{
+  return [=](VolumeStage& scene)
+  {
+    UsualLook(scene);
+    vtkCamera* const camera = scene.renderer->GetActiveCamera();
+    camera->SetPosition(view.position.data());
+    camera->SetFocalPoint(view.focalPoint.data());
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetViewAngle(view.angle);
+    camera->SetClippingRange(view.clippingRange[0], view.clippingRange[1]);
+  };
+}
+
+Preparation SeenAlong(std::array<double, 3> direction, double sideVoxels)
+{
+  return [=](VolumeStage& scene)
+  {
+    SeenFrom({ { -50.0 * direction[0], -50.0 * direction[1], -50.0 * direction[2] },
+      { 0.0, 0.0, 0.0 } })(scene);
+    vtkCamera* const camera = scene.renderer->GetActiveCamera();
+    camera->SetViewUp(0.0, direction[2] == 0.0 ? 0.0 : 1.0, direction[2] == 0.0 ? 1.0 : 0.0);
+    camera->ParallelProjectionOn();
+    camera->SetParallelScale(0.5 * scene.size * sideVoxels);
+  };
+}
+
+}
 
 using namespace extreme;
 
@@ -152,6 +305,132 @@ std::unique_ptr<VolumeStage> StageOf(
   auto stage = std::make_unique<VolumeStage>(extreme.image(), size, window);
   extreme.prepare(*stage);
   return stage;
+}
+
+namespace
+{
+
+Preparation Scaled(double scale)
+{
+  return [scale](VolumeStage& scene)
+  {
+    UsualLook(scene);
+    scene.volume->SetScale(scale);
+    scene.volume->GetProperty()->SetScalarOpacityUnitDistance(scale);
+    scene.renderer->ResetCamera();
+  };
+}
+
+Preparation UnitDistanceSeenObliquely(double distanceMm)
+{
+  return [=](VolumeStage& scene)
+  {
+    UnitDistance(distanceMm)(scene);
+    scene.renderer->GetActiveCamera()->SetPosition(0.3, -1.0, 0.4);
+    scene.renderer->ResetCamera();
+  };
+}
+
+void LookThroughTheFront(VolumeStage& scene)
+{
+  DenseLook(scene);
+  scene.renderer->GetActiveCamera()->SetPosition(0.0, 0.0, 10.0);
+  scene.renderer->GetActiveCamera()->SetViewUp(0.0, 1.0, 0.0);
+  scene.renderer->ResetCamera();
+}
+
+}
+
+std::vector<ExtremeScene> ThinShapes()
+{
+  return {
+    { "OneVoxelThick", Lumpy({ 11, 9, 1 }), DenseLook },
+    { "OneVoxelThickFromItsFront", Lumpy({ 11, 9, 1 }), LookThroughTheFront },
+    { "OneVoxelThickInX", Lumpy({ 1, 9, 10 }), DenseLook },
+    { "OneVoxelThickInY", Lumpy({ 11, 1, 10 }), DenseLook },
+    { "OneRowOfVoxels", Lumpy({ 11, 1, 1 }), DenseLook },
+    { "OneColumnOfVoxels", Lumpy({ 1, 1, 10 }), DenseLook },
+    { "OneVoxelThickInTwoAxes", Lumpy({ 1, 9, 1 }), DenseLook },
+    { "OneVoxel", Lumpy({ 1, 1, 1 }), DenseLook },
+    { "OneVoxelOfNotANumber", LumpyWith(std::nan(""), { { 0, 0, 0 } }, { 1, 1, 1 }), DenseLook },
+  };
+}
+
+std::vector<ExtremeScene> ExtremeShapes()
+{
+  return {
+    { "StretchedAThousandTimes", Lumpy({ 11, 9, 2 }, VTK_FLOAT, 0.0, 1.0, { 1.0, 1.0, 1000.0 }),
+      [](VolumeStage& scene)
+      {
+        SeenFrom({ { 12.0, 9.0, -8000.0 }, { 0.0, 0.0, 0.0 }, 0.1, { 1.0, 1e5 } })(scene);
+        scene.volume->GetProperty()->SetScalarOpacityUnitDistance(1000.0);
+      } },
+    { "StretchedAndSeenFromTheSide", Lumpy({ 11, 9, 2 }, VTK_FLOAT, 0.0, 1.0, { 1.0, 1.0, 1000.0 }),
+      [](VolumeStage& scene) {
+        SeenFrom({ { 30.0, 20.0, 300.0 }, { 0.0, 0.0, 200.0 }, 30.0, { 1.0, 1e5 } })(scene);
+      } },
+    { "StretchedAThousandTimesInTwoAxes",
+      Lumpy({ 3, 9, 3 }, VTK_FLOAT, 0.0, 1.0, { 1000.0, 1.0, 1000.0 }),
+      [](VolumeStage& scene) {
+        SeenFrom({ { 300.0, -30.0, 200.0 }, { 280.0, 0.0, 210.0 }, 30.0, { 1.0, 1e5 } })(scene);
+      } },
+    { "StretchedAThousandTimesSeenAlong",
+      Lumpy({ 2, 9, 10 }, VTK_FLOAT, 0.0, 1.0, { 1000.0, 1.0, 1.0 }),
+      [](VolumeStage& scene)
+      {
+        SeenAlong({ 1.0, 0.0, 0.0 }, 0.25)(scene);
+        scene.renderer->GetActiveCamera()->SetPosition(-2000.0, 0.0, 0.0);
+        scene.renderer->GetActiveCamera()->SetClippingRange(1.0, 1e4);
+        scene.volume->GetProperty()->SetScalarOpacityUnitDistance(1000.0);
+      } },
+    { "SpacedBy1e6", Lumpy(SmallBox, VTK_FLOAT, 0.0, 1.0, { 1e6, 1e6, 1e6 }),
+      UnitDistanceSeenObliquely(1e6) },
+    { "ScaledBy1e-6", Lumpy(), Scaled(1e-6) },
+    { "ScaledBy1e6", Lumpy(), Scaled(1e6) },
+    { "SpacedBy1e-6", Lumpy(SmallBox, VTK_FLOAT, 0.0, 1.0, { 1e-6, 1e-6, 1e-6 }),
+      UnitDistanceSeenObliquely(1e-6) },
+    { "FarFromTheOrigin", Lumpy(),
+      [](VolumeStage& scene)
+      {
+        UsualLook(scene);
+        scene.volume->SetPosition(1e5, -1e5, 1e5);
+        scene.renderer->ResetCamera();
+      } },
+  };
+}
+
+std::vector<ExtremeScene> ExtremeViews()
+{
+  const double diagonal = std::sqrt(1.0 / 3.0);
+  return {
+    { "RaysAlongX", Lumpy(), SeenAlong({ 1.0, 0.0, 0.0 }) },
+    { "RaysAlongY", Lumpy(), SeenAlong({ 0.0, 1.0, 0.0 }) },
+    { "RaysAgainstZ", Lumpy(), SeenAlong({ 0.0, 0.0, -1.0 }) },
+    { "RaysAlongXShiftedByHalfAVoxel", Lumpy({ 10, 10, 11 }), SeenAlong({ -1.0, 0.0, 0.0 }, 1.0) },
+    { "RaysThroughCorners", Lumpy({ 9, 9, 9 }), SeenAlong({ diagonal, diagonal, diagonal }) },
+    { "RaysThroughEdges", Lumpy({ 9, 9, 9 }), SeenAlong({ std::sqrt(0.5), -std::sqrt(0.5), 0.0 }) },
+    { "CameraInside", Lumpy(), SeenFrom({ { 0.3, 0.2, 0.1 }, { 4.0, 1.0, 1.0 }, 90.0 }) },
+    { "CameraOnAFace", Lumpy(), SeenFrom({ { -5.0, 0.3, 0.2 }, { 5.0, 0.0, 0.0 }, 90.0 }) },
+    { "CameraAtAVoxel", Lumpy(), SeenFrom({ { 1.0, 1.0, 0.5 }, { 5.0, 1.0, 0.5 }, 90.0 }) },
+    { "CameraAtACorner", Lumpy(), SeenFrom({ { -5.0, -4.0, -4.5 }, { 0.0, 0.0, 0.0 }, 90.0 }) },
+    { "NearPlaneThroughTheMiddle", Lumpy(),
+      SeenFrom({ { -30.0, 3.0, 2.0 }, { 0.0, 0.0, 0.0 }, 30.0, { 30.0, 100.0 } }) },
+    { "FarPlaneThroughTheMiddle", Lumpy(),
+      SeenFrom({ { -30.0, 3.0, 2.0 }, { 0.0, 0.0, 0.0 }, 30.0, { 1.0, 30.0 } }) },
+    { "ViewAngleOfATenthOfADegree", Lumpy(),
+      SeenFrom({ { -5000.0, 3000.0, 2000.0 }, { 0.0, 0.0, 0.0 }, 0.1, { 1.0, 1e4 } }) },
+    { "ViewAngleOf170Degrees", Lumpy(),
+      SeenFrom({ { -8.0, 1.0, 1.0 }, { 0.0, 0.0, 0.0 }, 170.0 }) },
+    { "ViewAngleOf170DegreesInside", Lumpy(),
+      SeenFrom({ { 0.3, 0.2, 0.1 }, { 4.0, 1.0, 1.0 }, 170.0 }) },
+    { "NearPlaneThroughTheMiddleInside", Lumpy(),
+      SeenFrom({ { 0.3, 0.2, 0.1 }, { 4.0, 1.0, 1.0 }, 90.0, { 2.0, 100.0 } }) },
+    { "ClippedToNothingInFront", Lumpy(),
+      SeenFrom({ { -30.0, 3.0, 2.0 }, { 0.0, 0.0, 0.0 }, 30.0, { 50.0, 100.0 } }) },
+    { "ClippedToNothingBehind", Lumpy(),
+      SeenFrom({ { -30.0, 3.0, 2.0 }, { 0.0, 0.0, 0.0 }, 30.0, { 1.0, 10.0 } }) },
+    { "BehindTheCamera", Lumpy(), SeenFrom({ { -30.0, 3.0, 2.0 }, { -40.0, 0.0, 0.0 } }) },
+  };
 }
 
 }

@@ -7,17 +7,21 @@
 #include "Scene/FloatCapture.h"
 #include "Scene/Scene.h"
 #include "Stages/CutRays.h"
-#include "Stages/VtkSettings.h"
 
 #include <vtkCamera.h>
 #include <vtkCellData.h>
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
+#include <vtkDataObject.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkGPUVolumeRayCastMapper.h>
+#include <vtkImageData.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
+#include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVariationFieldVolumeMapper.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -25,6 +29,49 @@
 
 namespace varimarch
 {
+
+namespace
+{
+
+void CopyOfEveryMapper(vtkVariationFieldVolumeMapper* from, vtkVolumeMapper* to)
+{
+  to->SetInputDataObject(from->GetInputDataObject(0, 0));
+  to->SetScalarMode(from->GetScalarMode());
+  to->SetBlendMode(from->GetBlendMode());
+  to->SetAverageIPScalarRange(from->GetAverageIPScalarRange());
+  to->SetCropping(from->GetCropping());
+  to->SetCroppingRegionPlanes(from->GetCroppingRegionPlanes());
+  to->SetCroppingRegionFlags(from->GetCroppingRegionFlags());
+  to->SetClippingPlanes(from->GetClippingPlanes());
+}
+
+// Give VTK's own mappers the input and the settings of ours that they have too.
+void CopySettings(vtkVariationFieldVolumeMapper* from, vtkGPUVolumeRayCastMapper* to)
+{
+  CopyOfEveryMapper(from, to);
+  to->SetMaskInput(from->GetMaskInput());
+  to->SetMaskType(from->GetMaskType());
+  to->SetMaskBlendFactor(from->GetMaskBlendFactor());
+  to->SetAutoAdjustSampleDistances(from->GetAutoAdjustSampleDistances());
+  to->SetLockSampleDistanceToInputSpacing(from->GetLockSampleDistanceToInputSpacing());
+  to->SetSampleDistance(float(from->GetSampleDistance()));
+  to->SetImageSampleDistance(from->GetImageSampleDistance());
+  to->SetUseJittering(from->GetUseJittering());
+  to->SetFinalColorWindow(from->GetFinalColorWindow());
+  to->SetFinalColorLevel(from->GetFinalColorLevel());
+  to->SetRenderToImage(from->GetRenderToImage());
+}
+
+void CopySettings(vtkVariationFieldVolumeMapper* from, vtkFixedPointVolumeRayCastMapper* to)
+{
+  CopyOfEveryMapper(from, to);
+  // By default this mapper adapts its rays to a frame rate, and samples every millimetre.
+  to->AutoAdjustSampleDistancesOff();
+  to->SetLockSampleDistanceToInputSpacing(from->GetAutoAdjustSampleDistances());
+  to->SetSampleDistance(float(from->GetSampleDistance()));
+}
+
+}
 
 VolumeStage::VolumeStage(vtkImageData* image, int size, vtkHeadlessRenderWindow* window)
   : image(image)
