@@ -6,7 +6,6 @@
 #include "Scene/LookFiles.h"
 #include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
-#include "Scene/RegionsJson.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneLights.h"
 #include "Scene/VolumeProperty.h"

@@ -3,9 +3,8 @@
 #include "vtkPython.h" // Python's header must come first
 
 #include "Readers/VtkMessages.h"
+#include "Scene/JsonCursor.h"
 #include "Scene/LabelMap.h"
-#include "Scene/LabelsJson.h"
-#include "Scene/LookJson.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
@@ -145,12 +144,6 @@ struct GivenLabels
   }
 };
 
-std::vector<Segment> SegmentsFromText(const char* text)
-{
-  const nlohmann::json parsed = ParseJson(text, "segments");
-  return SegmentsFromJson(JsonCursor(parsed, "segments"));
-}
-
 // The labels on the grid of a volume; null without any.
 std::shared_ptr<const LabelMap> LabelsOver(vtkImageData* volume, const GivenLabels& given)
 {
@@ -168,7 +161,8 @@ std::shared_ptr<const LabelMap> LabelsOver(vtkImageData* volume, const GivenLabe
   {
     segment.opacity = given.opacity;
   }
-  TakeAppearance(SegmentsFromText(given.segments), given.image ? "the array" : given.path, *map);
+  TakeAppearance(
+    SegmentsFromText(given.segments, "segments"), given.image ? "the array" : given.path, *map);
   return map;
 }
 

@@ -8,7 +8,6 @@
 #include "Scene/LookFormats/ParaViewColorMap.h"
 #include "Scene/LookFormats/SlicerProperty.h"
 #include "Scene/LookFormats/SlicerScene.h"
-#include "Scene/LookJson.h"
 #include "Scene/OutputFile.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SmallFile.h"

@@ -15,6 +15,9 @@ namespace varimarch
 
 // Two-dimensional transfer functions: regions of the plane of value and gradient magnitude.
 
+/// The largest number of regions in a look.
+constexpr std::size_t MostRegions = 64;
+
 /// Position of a point of the plane in a region: 0 in its middle and 1 at its edge. A rectangle
 /// that begins at the gradient 0 has no edge there.
 double PlaceInRegion(const LookRegion& region, double value, double gradient);

@@ -1,6 +1,7 @@
 #include "Scene/RemoteMessage.h"
 
-#include "Scene/LookJson.h"
+#include "Scene/JsonCursor.h"
+#include "Scene/SceneFile.h"
 
 #include <nlohmann/json.hpp>
 

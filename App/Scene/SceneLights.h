@@ -10,6 +10,11 @@ class vtkRenderer;
 namespace varimarch
 {
 
+/// The largest number of lights in a scene, for which VTK's GPU mapper has room too.
+constexpr std::size_t MostLights = 6;
+
+constexpr double LargestSoftnessDegrees = 60.0;
+
 /// The direction towards a far light. Camera: 0, 0 is towards the eye, and positive angles lead to
 /// the right and upwards in the image. Directional: 0, 0 is in front of the patient, and positive
 /// angles lead to the patient's left and to the head.

@@ -1,6 +1,5 @@
 #include "Viewer/Panels/LightsPanel.h"
 
-#include "Scene/LightsJson.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/SceneLights.h"
 #include "Viewer/LiveColorDialog.h"

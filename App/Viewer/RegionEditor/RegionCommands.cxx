@@ -1,13 +1,12 @@
 // Keyboard commands and menus of the editor of regions. They cover everything that the mouse can
 // do.
 
+#include "Scene/LookRegions.h"
 #include "Viewer/EditorActions.h"
 #include "Viewer/LiveColorDialog.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/RegionEditor/RegionEditor.h"
 #include "Viewer/TransferFunctionEditor/EditorPainter.h"
-
-#include "Scene/RegionsJson.h"
 
 #include <QAction>
 #include <QColorDialog>
