@@ -1,9 +1,9 @@
 #include "Parser.h"
 
 #include "ArgumentChecks.h"
-#include "LightOptions.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneNames.h"
+#include "SettingOptions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -15,8 +15,6 @@ namespace varimarch
 
 namespace
 {
-
-constexpr int LargestPictureSide = 16384;
 
 // A validator that accepts finite numbers above a limit.
 CLI::Validator Above(double limit)
@@ -104,163 +102,6 @@ void AddRegionsOption(CLI::App& command, SceneArguments& arguments)
     ->group("Look");
 }
 
-void AddClippingRangeOption(CLI::App& command, SceneArguments& arguments)
-{
-  const auto setRange = [&](const std::vector<double>& range) {
-    arguments.clippingRangeMm = { range[0], range[1] };
-  };
-  command
-    .add_option_function<std::vector<double>>("--clipping-range", setRange,
-      "Show only what lies between these distances from the eye, mm (default: all)")
-    ->check(Above(0.0))
-    ->delimiter(',')
-    ->expected(2)
-    ->type_name("NEAR,FAR")
-    ->group("Image");
-}
-
-void AddCameraOptions(CLI::App& command, SceneArguments& arguments)
-{
-  const std::string group = "Image";
-  AddChoice(command, "--view", arguments.view, ViewNames(),
-    "Side of the patient seen (default automatic: anterior, or the face of a thin stack)")
-    ->group(group);
-  command
-    .add_option("--azimuth", arguments.azimuthDegrees,
-      "Rotation of the camera; from anterior, to the patient's left, degrees")
-    ->check(CLI::Range(-36000.0, 36000.0).description(""))
-    ->group(group);
-  command
-    .add_option(
-      "--elevation", arguments.elevationDegrees, "Elevation of the camera, degrees from -89 to 89")
-    ->check(CLI::Range(-89.0, 89.0).description(""))
-    ->group(group);
-  command
-    .add_option("--zoom", arguments.zoom, "Magnification; at 1 the volume just fits the image")
-    ->check(Above(0.0))
-    ->group(group);
-  command.add_flag("--parallel", arguments.parallel, "Parallel instead of perspective projection")
-    ->group(group);
-  AddClippingRangeOption(command, arguments);
-}
-
-void AddFaceOption(CLI::App& command, SceneArguments& arguments)
-{
-  command
-    .add_option("--remove-face", arguments.faceDepthMm,
-      "Cut the front of a head away to this depth behind its smoothed surface, mm,\n"
-      "such as 15. Look at the image: this is no anonymization")
-    ->check(CLI::NonNegativeNumber.description(""))
-    ->type_name("MM")
-    ->group("Image");
-}
-
-void AddPictureOptions(CLI::App& command, SceneArguments& arguments)
-{
-  const std::string group = "Image";
-  command
-    .add_option_function<std::string>(
-      "--size",
-      [&](const std::string& text) { arguments.size = Sides<2>(text, 1, LargestPictureSide); },
-      "Size in pixels (default 512x512)")
-    ->check(IsSides<2>("800x600", 1, LargestPictureSide))
-    ->type_name("WxH")
-    ->group(group);
-  AddCameraOptions(command, arguments);
-  command
-    .add_flag("--body-only", arguments.bodyOnly,
-      "Leave out the table, the head rest and clothes of a CT scan")
-    ->group(group);
-  AddFaceOption(command, arguments);
-  const auto setBackground = [&](const std::vector<double>& rgb) {
-    arguments.background = { rgb[0], rgb[1], rgb[2] };
-  };
-  command
-    .add_option_function<std::vector<double>>(
-      "--background", setBackground, "Background colour, each from 0 to 1 (default: the preset's)")
-    ->check(CLI::Range(0.0, 1.0).description(""))
-    ->delimiter(',')
-    ->expected(3)
-    ->type_name("R,G,B")
-    ->group(group);
-}
-
-void AddSpanOptions(CLI::App& command, SceneArguments& arguments, const std::string& group)
-{
-  command
-    .add_option("--sample-distance-voxels", arguments.sampleDistanceVoxels,
-      "The same in units of the smallest voxel spacing")
-    ->check(Above(0.0))
-    ->excludes("--sample-distance")
-    ->type_name("N")
-    ->group(group);
-  command
-    .add_option("--steps", arguments.mostSteps,
-      "Sample distances after which rays end, for a given distance\n"
-      "(default 0: they end behind the volume)")
-    ->check(CLI::Range(0, std::numeric_limits<int>::max()).description(""))
-    ->type_name("N")
-    ->group(group);
-  command
-    .add_option("--first-distance", arguments.firstDistanceMm,
-      "Distance from the eye at which rays begin, for an eye in the volume (default 0)")
-    ->check(CLI::NonNegativeNumber.description(""))
-    ->type_name("MM")
-    ->group(group);
-}
-
-void AddVoxelOptions(CLI::App& command, SceneArguments& arguments, const std::string& group)
-{
-  AddChoice(command, "--detail", arguments.level, LevelNames(),
-    "Detail of a volume that is drawn from its file: its voxels, means of\n"
-    "4 x 4 x 4 of them, which are in memory, or voxels only where the\n"
-    "image is proved to need them")
-    ->group(group);
-  AddChoice(command, "--interpolation", arguments.interpolation, InterpolationNames(),
-    "Values between voxels (default linear)")
-    ->group(group);
-}
-
-void AddSamplingOptions(CLI::App& command, SceneArguments& arguments)
-{
-  const std::string group = "Sampling";
-  command
-    .add_option(
-      "--sample-distance", arguments.sampleDistanceMm, "Distance between samples (default: chosen)")
-    ->check(Above(0.0))
-    ->type_name("MM")
-    ->group(group);
-  command
-    .add_option("--error-tolerance", arguments.errorTolerance,
-      "Largest accepted error of a colour channel, 0 to 1 (default: the preset's)")
-    ->check(CLI::Range(0.0, 1.0).description(""))
-    ->type_name("E")
-    ->group(group);
-  AddChoice(command, "--acceleration", arguments.acceleration, AccelerationNames(),
-    "Field by which our mapper skips samples")
-    ->group(group);
-  AddChoice(command, "--integration", arguments.integration, IntegrationNames(),
-    "Integration rule of composites")
-    ->group(group);
-  command
-    .add_option("--tolerance", arguments.variationTolerance,
-      "Difference of values by which the fields of cells and of variations\n"
-      "limit steps, in units of the data")
-    ->check(CLI::NonNegativeNumber.description(""))
-    ->type_name("E")
-    ->group(group);
-  command
-    .add_option("--early-termination", arguments.earlyTerminationTransmittance,
-      "Transmittance at which a ray ends, if the error tolerance is 0 (default 1/1024)")
-    ->check(CLI::Range(0.0, 0.999999).description(""))
-    ->type_name("T")
-    ->group(group);
-  AddVoxelOptions(command, arguments, group);
-  command.add_flag("--jitter", arguments.jitter, "Offset the samples of each ray by blue noise")
-    ->group(group);
-  AddSpanOptions(command, arguments, group);
-}
-
 // Adds the options that choose a series, a kind of volume in it, and how its slices are stacked.
 void AddSeriesOptions(CLI::App& command, VolumeArguments& arguments)
 {
@@ -327,7 +168,7 @@ void AddSceneOptions(CLI::App& command, SceneArguments& arguments)
     "A volume file, a folder with a DICOM series, a scene file (.json), or\n"
     "procedural:shells|marschner-lobb|torso|checkerboard|ramp[:XxYxZ]");
   AddLookAndPictureOptions(command, arguments);
-  AddSamplingOptions(command, arguments);
+  AddSamplingSettings(command, arguments);
 }
 
 void AddLookOptions(CLI::App& command, SceneArguments& arguments)
@@ -348,24 +189,13 @@ void AddLookOptions(CLI::App& command, SceneArguments& arguments)
     ->needs(fileOption)
     ->group(group);
   AddRegionsOption(command, arguments);
-  CLI::Option* shadeOption = command
-                               .add_flag_callback(
-                                 "--shade", [&] { arguments.shade = true; }, "Shade the volume")
-                               ->group(group);
-  command
-    .add_flag_callback(
-      "--no-shade", [&] { arguments.shade = false; }, "Do not shade the volume")
-    ->excludes(shadeOption)
-    ->group(group);
-  AddChoice(command, "--blend", arguments.blend, BlendNames(), "Blend mode (default: the preset's)")
-    ->group(group);
-  AddLightOptions(command, arguments);
+  AddLookSettings(command, arguments);
 }
 
 void AddLookAndPictureOptions(CLI::App& command, SceneArguments& arguments)
 {
   AddLookOptions(command, arguments);
-  AddPictureOptions(command, arguments);
+  AddImageSettings(command, arguments);
 }
 
 void AddJsonOption(CLI::App& command, std::string& path)

@@ -16,7 +16,7 @@ namespace varimarch
 {
 
 // The common part of the programs' command lines. CLI11 takes seconds to compile, so only
-// Parser.cxx, LightOptions.cxx, RunProgram.cxx and the Commands.cxx of each program include it.
+// Parser.cxx, SettingOptions.cxx, RunProgram.cxx and the Commands.cxx of each program include it.
 
 /// Adds subcommands to a program. A subcommand runs while CLI11 parses the command line.
 /// @param commandText  the whole command line, quoted for a shell

@@ -8,6 +8,7 @@
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneLights.h"
+#include "Scene/SceneNames.h"
 #include "Scene/VolumeProperty.h"
 #include "UsageError.h"
 
@@ -71,69 +72,64 @@ void OverridePreset(
   TakeLighting(*preset->light, scene);
 }
 
-void OverrideLook(const SceneArguments& arguments, Look& look)
+// The settings as a merge patch for a scene file.
+nlohmann::ordered_json PatchOf(const SceneArguments& arguments)
 {
-  if (!arguments.regions.empty())
+  nlohmann::ordered_json patch = nlohmann::ordered_json::object();
+  for (const auto& [pointer, value] : arguments.settings)
   {
-    look.regions = ReadRegions(arguments.regions);
-  }
-  look.shading.enabled = arguments.shade.value_or(look.shading.enabled);
-  look.dampingGradient = arguments.dampingGradient.value_or(look.dampingGradient);
-  if (arguments.blend)
-  {
-    look.blend = *arguments.blend;
-    if (look.blend == Blend::Isosurface && look.isosurfaces.empty())
+    if (!value.is_null())
     {
-      throw UsageError("--blend: isosurface needs a look that has isosurfaces");
+      patch[nlohmann::ordered_json::json_pointer(pointer)] = value;
     }
+  }
+  if (patch.contains("render") && patch["render"].contains("sampleDistance"))
+  {
+    patch["render"]["sampleDistanceVoxels"] = "auto";
+  }
+  return patch;
+}
+
+std::optional<nlohmann::ordered_json> ValueAt(
+  const nlohmann::ordered_json& patch, const std::string& pointer)
+{
+  const nlohmann::ordered_json::json_pointer place(pointer);
+  return patch.contains(place) ? std::optional(patch[place]) : std::nullopt;
+}
+
+// Checks settings together, with messages that name their options.
+void CheckSettings(const nlohmann::ordered_json& patch, const Look& look)
+{
+  if (ValueAt(patch, "/look/blend") == NameOf(BlendNames(), Blend::Isosurface) &&
+    look.isosurfaces.empty())
+  {
+    throw UsageError("--blend: isosurface needs a look that has isosurfaces");
+  }
+  const auto range = ValueAt(patch, "/camera/clippingRange");
+  if (range && !((*range)[0] < (*range)[1]))
+  {
+    throw UsageError("--clipping-range: expected the nearer distance first");
   }
 }
 
-void OverrideCamera(const SceneArguments& arguments, Camera& camera)
+void OverrideLights(const SceneArguments& arguments, std::vector<SceneLight>& lights)
 {
-  camera.view = arguments.view.value_or(camera.view);
-  camera.azimuthDegrees = arguments.azimuthDegrees.value_or(camera.azimuthDegrees);
-  camera.elevationDegrees = arguments.elevationDegrees.value_or(camera.elevationDegrees);
-  camera.zoom = arguments.zoom.value_or(camera.zoom);
-  camera.parallel = arguments.parallel || camera.parallel;
-  if (arguments.clippingRangeMm)
+  lights = arguments.lights.empty() ? lights : arguments.lights;
+  for (SceneLight& light : lights)
   {
-    if (!((*arguments.clippingRangeMm)[0] < (*arguments.clippingRangeMm)[1]))
-    {
-      throw UsageError("--clipping-range: expected the nearer distance first");
-    }
-    camera.clippingRangeMm = arguments.clippingRangeMm;
+    const double softness = arguments.softnessDegrees.value_or(light.softnessDegrees);
+    light.softnessDegrees = light.kind == LightKind::Head ? 0.0 : softness;
   }
 }
 
-void OverrideSampling(const SceneArguments& arguments, RenderOptions& render)
+void RequireBody(const LoadedVolume& loaded)
 {
-  if (arguments.sampleDistanceMm)
+  if (!HasBodyMask(loaded.modality))
   {
-    render.sampleDistanceMm = arguments.sampleDistanceMm;
-    render.sampleDistanceVoxels.reset();
+    throw std::runtime_error(
+      "The table can be removed from CT only, whose values have a unit; found " +
+      (loaded.modality.empty() ? "a volume of unknown modality" : loaded.modality));
   }
-  render.errorTolerance = arguments.errorTolerance.value_or(render.errorTolerance);
-  render.acceleration = arguments.acceleration.value_or(render.acceleration);
-  if (arguments.integration)
-  {
-    render.integration = arguments.integration;
-  }
-  if (arguments.variationTolerance)
-  {
-    render.variationTolerance = arguments.variationTolerance;
-  }
-  render.earlyTerminationTransmittance =
-    arguments.earlyTerminationTransmittance.value_or(render.earlyTerminationTransmittance);
-  render.level = arguments.level.value_or(render.level);
-  render.interpolation = arguments.interpolation.value_or(render.interpolation);
-  render.jitter = arguments.jitter || render.jitter;
-  if (arguments.sampleDistanceVoxels)
-  {
-    render.sampleDistanceVoxels = arguments.sampleDistanceVoxels;
-  }
-  render.mostSteps = arguments.mostSteps.value_or(render.mostSteps);
-  render.firstDistanceMm = arguments.firstDistanceMm.value_or(render.firstDistanceMm);
 }
 
 }
@@ -149,36 +145,25 @@ std::pair<Scene, LoadedVolume> LoadScene(
   Scene scene = isScene ? ReadScene(input) : Scene();
   scene.volume =
     isScene ? Override(arguments.volume, scene.volume) : SourceOf(arguments.volume, input);
-  const bool isCoarse = arguments.level.value_or(scene.render.level) == VolumeLevel::Coarse;
+  const nlohmann::ordered_json patch = PatchOf(arguments);
+  const bool isCoarse =
+    ValueAt(patch, "/render/detail").value_or(NameOf(LevelNames(), scene.render.level)) ==
+    NameOf(LevelNames(), VolumeLevel::Coarse);
   // Labels lie on the voxels of the volume itself.
   LoadedVolume loaded =
     LoadVolumeReporting(scene.volume, mayBePreview && isCoarse && !scene.labels);
   OverridePreset(arguments, ChosenPreset(arguments, loaded, isScene, scene), scene);
-  OverrideLook(arguments, scene.look);
-  scene.lights = arguments.lights.empty() ? scene.lights : arguments.lights;
-  for (SceneLight& light : scene.lights)
+  if (!arguments.regions.empty())
   {
-    const double softness = arguments.softnessDegrees.value_or(light.softnessDegrees);
-    light.softnessDegrees = light.kind == LightKind::Head ? 0.0 : softness;
+    scene.look.regions = ReadRegions(arguments.regions);
   }
-  scene.shadows = arguments.shadows.value_or(scene.shadows);
-  scene.scattering = { arguments.scattering.value_or(scene.scattering.blending),
-    arguments.anisotropy.value_or(scene.scattering.anisotropy),
-    arguments.scatteringReach.value_or(scene.scattering.reach) };
-  scene.occlusion = { arguments.occlusion.value_or(scene.occlusion.strength),
-    arguments.occlusionReachMm.value_or(scene.occlusion.reachMm) };
-  OverrideCamera(arguments, scene.camera);
-  scene.cuts.bodyOnly = arguments.bodyOnly || scene.cuts.bodyOnly;
-  scene.cuts.faceDepthMm = arguments.faceDepthMm.value_or(scene.cuts.faceDepthMm);
-  if (scene.cuts.bodyOnly && !HasBodyMask(loaded.modality))
+  CheckSettings(patch, scene.look);
+  scene = WithSettings(scene, patch, "the options");
+  OverrideLights(arguments, scene.lights);
+  if (scene.cuts.bodyOnly)
   {
-    throw std::runtime_error(
-      "The table can be removed from CT only, whose values have a unit; found " +
-      (loaded.modality.empty() ? "a volume of unknown modality" : loaded.modality));
+    RequireBody(loaded);
   }
-  OverrideSampling(arguments, scene.render);
-  scene.size = arguments.size.value_or(scene.size);
-  scene.background = arguments.background.value_or(scene.background);
   return { scene, loaded };
 }
 

@@ -5,7 +5,9 @@
 #include "Scene/VolumeLoading.h"
 #include "VolumeArguments.h"
 
-#include <array>
+#include <nlohmann/json.hpp>
+
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,44 +21,15 @@ namespace varimarch
 struct SceneArguments
 {
   VolumeArguments volume;
-  std::string preset;           ///< name of a built-in preset; empty: chosen for the volume
-  std::string transferFunction; ///< file with looks; empty: the preset's look
-  std::string lookName;         ///< name of a look in that file; empty: its only look
-  std::string regions;          ///< file of regions; empty: those of the look
-  std::optional<bool> shade;
-  std::optional<Blend> blend;
-  std::optional<double> dampingGradient; ///< as in Look
-  std::vector<SceneLight> lights;        ///< empty: those of the scene
+  std::string preset;             ///< name of a built-in preset; empty: chosen for the volume
+  std::string transferFunction;   ///< file with looks; empty: the preset's look
+  std::string lookName;           ///< name of a look in that file; empty: its only look
+  std::string regions;            ///< file of regions; empty: those of the look
+  std::vector<SceneLight> lights; ///< empty: those of the scene
   std::optional<double> softnessDegrees; ///< softness of all of these lights, [0, 60]
   bool presetLight = false;              ///< the scene takes the light that suits its preset
-  std::optional<double> shadows;         ///< their strength, [0, 1]
-  std::optional<double> scattering;      ///< blending of scattered light, [0, 2]
-  std::optional<double> anisotropy;      ///< [-0.99, 0.99]
-  std::optional<double> scatteringReach; ///< [0, 1]
-  std::optional<double> occlusion;       ///< strength of ambient occlusion, [0, 1]
-  std::optional<double> occlusionReachMm;
-  std::optional<std::array<int, 2>> size; ///< size of the image [pixels]
-  std::optional<View> view;
-  std::optional<double> azimuthDegrees;
-  std::optional<double> elevationDegrees;
-  std::optional<double> zoom;
-  bool parallel = false;
-  std::optional<std::array<double, 2>> clippingRangeMm;
-  bool bodyOnly = false;
-  std::optional<double> faceDepthMm;               ///< as in SceneCuts
-  std::optional<std::array<double, 3>> background; ///< background as RGB, [0, 1]
-  std::optional<double> sampleDistanceMm;          ///< sample distance, > 0
-  std::optional<Acceleration> acceleration;
-  std::optional<Integration> integration;
-  std::optional<double> errorTolerance;     ///< error tolerance, [0, 1]
-  std::optional<double> variationTolerance; ///< tolerance of a field of values [units of the data]
-  std::optional<double> sampleDistanceVoxels; ///< sample distance in smallest spacings, > 0
-  std::optional<int> mostSteps;               ///< sample distances after which a ray ends
-  std::optional<double> firstDistanceMm;      ///< distance from the eye at which rays begin
-  std::optional<double> earlyTerminationTransmittance; ///< [0, 1)
-  std::optional<Interpolation> interpolation;
-  std::optional<VolumeLevel> level;
-  bool jitter = false;
+  /// Values of the scene's keys, by JSON pointers such as "/camera/zoom"; null: those of the scene.
+  std::map<std::string, nlohmann::ordered_json> settings;
 };
 
 /// Loads the scene that an input and the arguments describe, with its volume.
