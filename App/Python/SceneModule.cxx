@@ -8,6 +8,7 @@
 #include "Scene/OffscreenView.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
+#include "Scene/SceneFormat.h"
 #include "Scene/SceneNames.h"
 #include "Scene/VariationImage.h"
 #include "Scene/VolumeProperty.h"
@@ -102,6 +103,24 @@ PyObject* Presets(PyObject*, PyObject*)
         presets[name] = JsonFromPreset(BuiltInPreset(name));
       }
       return PyUnicode_FromString(TextFromJson(presets).c_str());
+    });
+}
+
+PyObject* Settings(PyObject*, PyObject*)
+{
+  return ResultOf(
+    []
+    {
+      nlohmann::ordered_json settings;
+      for (const auto& [path, field] : SceneSettings())
+      {
+        if (field.isArgument)
+        {
+          settings[field.option] = { { "path", path }, { "meaning", field.meaning },
+            { "unit", field.unit }, { "usual", field.usual }, { "schema", field.schema } };
+        }
+      }
+      return PyUnicode_FromString(TextFromJson(settings).c_str());
     });
 }
 
@@ -308,6 +327,8 @@ PyMODINIT_FUNC PyInit__scene()
 {
   static PyMethodDef functions[] = { { "presets", varimarch::Presets, METH_NOARGS,
                                        "() -> JSON text with all presets by their names." },
+    { "settings", varimarch::Settings, METH_NOARGS,
+      "() -> JSON text with the settings of a scene that render() offers, by their options." },
     { "in_units_of_data", varimarch::PresetInUnitsOfData, METH_VARARGS,
       "(volume, preset) -> the preset with values in the units of the volume's data." },
     { "render", varimarch::Render, METH_VARARGS,

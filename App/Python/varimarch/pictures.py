@@ -1,5 +1,6 @@
 """Rendering of volumes, and images as arrays."""
 
+import inspect
 import json
 import os
 
@@ -24,12 +25,11 @@ from .looks import (
     take_opacities,
 )
 from .overlays import overlays_of
+from .settings import SETTINGS, explained, take_settings
 from .vtk_messages import vtk_messages_as_exceptions
 
-VIEWS = ("automatic", "anterior", "posterior", "left", "right", "superior", "inferior")
 BLENDS = ("composite", "maximum", "minimum", "average", "additive")
 LEVELS = ("voxels", "coarse", "refined")
-INTERPOLATIONS = ("nearest", "linear", "cubic")
 # The largest side of a 2D texture that all relevant versions of OpenGL guarantee.
 LARGEST_SIDE = 16384
 
@@ -47,12 +47,6 @@ def render(
     shade=None,
     lights=None,
     shadows=False,
-    scattering=0.0,
-    anisotropy=0.0,
-    scattering_reach=0.0,
-    occlusion=0.0,
-    occlusion_reach=0.0,
-    damping=None,
     blend=None,
     labels=None,
     label_colors=None,
@@ -60,17 +54,10 @@ def render(
     overlays=(),
     size=(512, 512),
     background=None,
-    view="automatic",
-    azimuth=0.0,
-    elevation=0.0,
-    zoom=1.0,
     parallel=False,
     clipping_range=None,
-    error_tolerance=None,
-    early_termination=None,
-    interpolation="linear",
     detail="voxels",
-    jitter=False,
+    **settings,
 ):
     """Renders a volume, and returns an image as an array [row, column, (red, green, blue)] of uint8.
 
@@ -105,15 +92,6 @@ def render(
     shadows: True, or a strength from 0 (none) to 1, to let volumes cast shadows on themselves and
         on each other, from lights that are not at the eye; shaded volumes show them. Takes about
         three times as long.
-    scattering: the part of the light that matter scatters and surfaces do not reflect, 0 to 2; all
-        from 1 on. Shaded composites only.
-    anisotropy: mean cosine of the angle by which it turns light, -0.99 to 0.99.
-    scattering_reach: how far matter dims scattered light, 0 (not at all) to 1 (everywhere).
-    occlusion: strength of ambient occlusion, 0 to 1: how much darker places are that see little of
-        what is around the volume. Composites only.
-    occlusion_reach: distance beyond which matter does not occlude [mm]; default: 16 voxels.
-    damping: gradient magnitude below which light other than ambient is reduced, in units of the
-        volume per mm, so that noise in homogeneous material does not glitter; default: the preset's.
     blend: "composite", "maximum", "minimum", "average" or "additive"; default: the preset's.
 
     labels: segments to draw over the volume: the path of a segmentation (DICOM SEG, .seg.nrrd) or
@@ -132,25 +110,16 @@ def render(
 
     size: width and height of the image [pixels].
     background: colour of the background; default: the preset's.
-    view: side of the patient at which the camera is: "anterior", "posterior", "left", "right",
-        "superior" or "inferior". x points to the patient's left, y to the back, z to the head. The
-        default, "automatic", is anterior, or the face of a stack of few slices.
-    azimuth: rotation of the camera from there about the vertical of the image [degrees].
-    elevation: elevation of the camera after that, -89 to 89 [degrees].
-    zoom: magnification; at 1 the volume's box just fits the image.
     parallel: True for a parallel projection instead of a perspective one of 30 degrees.
     clipping_range: nearest and farthest distance from the camera that is drawn [mm]; default: all.
 
-    error_tolerance: largest accepted error of a colour channel, 0 to 1; a smaller one takes longer;
-        default: the preset's.
-    early_termination: transmittance below which a ray ends, 0 to less than 1, used if error_tolerance
-        is 0; default: 1 / 1024.
-    interpolation: values between voxels: "nearest", "linear" or "cubic".
     detail: of a volume that read() has left in its file: "voxels", or "coarse" for the means of
         4 x 4 x 4 voxels, which are in memory, as a first image, or "refined" for voxels only where the
         means may change the image by more than half of error_tolerance. Other volumes have only
         voxels.
-    jitter: True to offset the samples of each ray by blue noise, which hides rings of long steps.
+
+    Settings of a scene, which replace those of the preset:
+SETTINGS
 
     Raises ValueError or TypeError for bad arguments, and RuntimeError if the volume cannot be
     rendered, each with one sentence.
@@ -171,47 +140,29 @@ def render(
         look["shading"]["enabled"] = truth("shade", shade)
     if regions is not None:
         look["regions"] = regions_of(regions)
-    if damping is not None:
-        look["damping"] = number("damping", damping, 0, 1e30)
     look["blend"] = choice("blend", blend or look["blend"], BLENDS)
     if regions is not None and (look["blend"] != "composite" or to_array(image).ndim != 3):
         raise ValueError(
             'regions: expected blend="composite" and a volume of one component, found '
             f'blend="{look["blend"]}" and {image.GetNumberOfScalarComponents()}'
         )
-    if error_tolerance is not None:
-        look["errorTolerance"] = number("error_tolerance", error_tolerance, 0, 1)
     if background is not None:
         look["background"] = rgb_of(background)
-    camera = {
-        "view": choice("view", view, VIEWS),
-        "azimuth": number("azimuth", azimuth, -36000, 36000),
-        "elevation": number("elevation", elevation, -89, 89),
-        "zoom": number("zoom", zoom, 1e-3, 1e3),
-        "projection": "parallel" if truth("parallel", parallel) else "perspective",
-    }
+    camera = {"projection": "parallel" if truth("parallel", parallel) else "perspective"}
     if clipping_range is not None:
         camera["clippingRange"] = ascending_pair("clipping_range", clipping_range)
-    quality = {
-        "interpolation": choice("interpolation", interpolation, INTERPOLATIONS),
-        "detail": choice("detail", detail, LEVELS),
-        "jitter": truth("jitter", jitter),
+    scene = {
+        "look": look,
+        "camera": camera,
+        "render": {"detail": choice("detail", detail, LEVELS)},
+        "size": picture_size(size),
+        "shadows": number("shadows", shadows, 0, 1),
+        "scattering": {"blending": 0.0},
+        "occlusion": {"strength": 0.0},
     }
-    if early_termination is not None:
-        quality["earlyTermination"] = number("early_termination", early_termination, 0, 0.999999)
-    scene = {"look": look, "camera": camera, "render": quality, "size": picture_size(size)}
     if lights is not None:
         scene["lights"] = lights_of(lights)
-    scene["shadows"] = number("shadows", shadows, 0, 1)
-    scene["scattering"] = {
-        "blending": number("scattering", scattering, 0, 2),
-        "anisotropy": number("anisotropy", anisotropy, -0.99, 0.99),
-        "reach": number("scattering_reach", scattering_reach, 0, 1),
-    }
-    scene["occlusion"] = {
-        "strength": number("occlusion", occlusion, 0, 1),
-        "reach": number("occlusion_reach", occlusion_reach, 0, 1e30),
-    }
+    take_settings(scene, settings)
     scene["overlays"], over = overlays_of(overlays)
     if over and (labels is not None or look["blend"] != "composite"):
         raise ValueError('overlays: expected blend="composite" without labels')
@@ -219,6 +170,25 @@ def render(
     picture = _scene.render(image, json.dumps(scene), over, *drawn)
     # VTK counts rows from the bottom.
     return to_array(picture)[0, ::-1].copy()
+
+
+def complete(function):
+    """Names and explains the settings in the signature and the docstring of a function."""
+    signature = inspect.signature(function)
+    named = [
+        inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in SETTINGS
+    ]
+    function.__signature__ = signature.replace(
+        parameters=[*list(signature.parameters.values())[:-1], *named]
+    )
+    # Python -OO has no docstrings.
+    if function.__doc__:
+        function.__doc__ = function.__doc__.replace(
+            "SETTINGS", "\n".join(explained(name) for name in SETTINGS)
+        )
+
+
+complete(render)
 
 
 def capture(window):
