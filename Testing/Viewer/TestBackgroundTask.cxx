@@ -7,10 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 using namespace varimarch;
 
@@ -74,4 +77,122 @@ TEST(BackgroundTask, ThatIsCancelledTellsNothing)
   QTest::qWait(100);
   EXPECT_FALSE(isTold);
   EXPECT_FALSE(task.IsRunning());
+}
+
+TEST(BackgroundTask, HandsOverWhatTheWorkReturns)
+{
+  BackgroundTask task;
+  std::vector<int> found;
+  task.Start(
+    [](const TaskProgress&) {
+      return std::vector<int>{ 3, 5 };
+    },
+    [&](const std::vector<int>& returned) { found = returned; });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !found.empty(); }, MostMilliseconds));
+  EXPECT_EQ(found, (std::vector<int>{ 3, 5 }));
+}
+
+TEST(BackgroundTask, BeginsTheLatestOfSeveralWhenTheLastHasEnded)
+{
+  BackgroundTask task;
+  std::atomic<int> atWork{ 0 };
+  std::atomic<int> mostAtWork{ 0 };
+  std::vector<int> told;
+  const auto start = [&](int number)
+  {
+    task.StartAfterLast(
+      [&, number](const TaskProgress& progress)
+      {
+        mostAtWork = std::max(int(mostAtWork), ++atWork);
+        while (progress(0.5) && number == 1)
+        {
+          std::this_thread::yield();
+        }
+        --atWork;
+        return number;
+      },
+      [&](int number) { told.push_back(number); });
+  };
+  start(1);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return atWork == 1; }, MostMilliseconds));
+  start(2);
+  start(3);
+  EXPECT_TRUE(task.IsRunning());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !told.empty(); }, MostMilliseconds));
+  EXPECT_EQ(told, std::vector<int>{ 3 });
+  EXPECT_EQ(mostAtWork, 1);
+  EXPECT_FALSE(task.IsRunning());
+}
+
+TEST(BackgroundTask, LeavesWorkAloneThatDoesNotEndInTime)
+{
+  BackgroundTask task;
+  task.SetPatience(std::chrono::milliseconds(50));
+  const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
+  bool firstIsTold = false;
+  bool secondIsTold = false;
+  task.Start(
+    [mayEnd](const TaskProgress&)
+    {
+      while (!*mayEnd)
+      {
+        std::this_thread::yield();
+      }
+    },
+    [&] { firstIsTold = true; });
+  task.StartAfterLast([](const TaskProgress&) {}, [&] { secondIsTold = true; });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return secondIsTold; }, MostMilliseconds));
+  *mayEnd = true;
+  QTest::qWait(100);
+  EXPECT_FALSE(firstIsTold);
+}
+
+TEST(BackgroundTask, TellsWhenItHasStopped)
+{
+  BackgroundTask task;
+  bool hasStopped = false;
+  bool isTold = false;
+  QObject::connect(&task, &BackgroundTask::Stopped, [&] { hasStopped = true; });
+  const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
+  task.Start(
+    [mayEnd](const TaskProgress&)
+    {
+      while (!*mayEnd)
+      {
+        std::this_thread::yield();
+      }
+    },
+    [&] { isTold = true; });
+  task.Stop();
+  EXPECT_TRUE(task.IsRunning()) << "until the work has ended";
+  *mayEnd = true;
+  EXPECT_TRUE(QTest::qWaitFor([&] { return hasStopped; }, MostMilliseconds));
+  EXPECT_FALSE(task.IsRunning());
+  EXPECT_FALSE(isTold);
+}
+
+TEST(BackgroundTask, PostsWhatItHasFoundSoFarUntilItIsCancelled)
+{
+  BackgroundTask task;
+  const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
+  const auto hasEnded = std::make_shared<std::atomic<bool>>(false);
+  std::vector<int> found;
+  task.Start(
+    [&found, mayEnd, hasEnded](const TaskProgress&, const TaskPost& post)
+    {
+      post([&] { found.push_back(1); });
+      while (!*mayEnd)
+      {
+        std::this_thread::yield();
+      }
+      post([&] { found.push_back(2); });
+      *hasEnded = true;
+    },
+    [] {});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !found.empty(); }, MostMilliseconds));
+  task.Cancel();
+  *mayEnd = true;
+  LetTheThreadEnd(*hasEnded);
+  QTest::qWait(100);
+  EXPECT_EQ(found, std::vector<int>{ 1 });
 }

@@ -259,8 +259,8 @@ ArchiveQuery ArchiveWindow::Query() const
     text(this->modality) };
 }
 
-void ArchiveWindow::Start(const QString& activity,
-  std::function<void(Archive&, const TaskProgress&)> work, std::function<void()> done)
+template <class Work, class Done>
+void ArchiveWindow::Start(const QString& activity, Work work, Done done)
 {
   const std::optional<NamedArchive> archive = this->choice->Chosen();
   if (!archive)
@@ -276,7 +276,8 @@ void ArchiveWindow::Start(const QString& activity,
     return;
   }
   this->task.Start([address = archive->address, secret = *this->password, work = std::move(work)](
-                     const TaskProgress& goesOn) { work(*ArchiveAt(address, secret), goesOn); },
+                     const TaskProgress& goesOn)
+    { return work(*ArchiveAt(address, secret), goesOn); },
     std::move(done));
   this->status->setText(activity);
 }
@@ -292,13 +293,12 @@ void ArchiveWindow::Cancel()
 
 void ArchiveWindow::Search()
 {
-  const auto found = std::make_shared<std::vector<ArchiveStudy>>();
   this->tree->clear();
   this->Start(
     tr("Searching…"),
-    [query = this->Query(), found](Archive& archive, const TaskProgress& goesOn)
-    { *found = archive.FindStudies(query, goesOn); },
-    [this, found] { this->ShowStudies(*found); });
+    [query = this->Query()](Archive& archive, const TaskProgress& goesOn)
+    { return archive.FindStudies(query, goesOn); },
+    [this](const std::vector<ArchiveStudy>& found) { this->ShowStudies(found); });
 }
 
 void ArchiveWindow::ShowStudies(const std::vector<ArchiveStudy>& studies)
@@ -324,17 +324,16 @@ void ArchiveWindow::ListSeries(QTreeWidgetItem* study)
     return;
   }
   const QString uid = study->data(0, StudyRole).toString();
-  const auto found = std::make_shared<std::vector<ArchiveSeries>>();
   this->Start(
     tr("Searching…"),
-    [uid = uid.toStdString(), found](Archive& archive, const TaskProgress& goesOn)
-    { *found = archive.FindSeries(uid, goesOn); },
-    [this, uid, found]
+    [uid = uid.toStdString()](Archive& archive, const TaskProgress& goesOn)
+    { return archive.FindSeries(uid, goesOn); },
+    [this, uid](const std::vector<ArchiveSeries>& found)
     {
       for (int i = 0; i < this->tree->topLevelItemCount(); ++i)
       {
         QTreeWidgetItem* const item = this->tree->topLevelItem(i);
-        for (const ArchiveSeries& series : *found)
+        for (const ArchiveSeries& series : found)
         {
           if (item->data(0, StudyRole) == uid)
           {
@@ -342,7 +341,7 @@ void ArchiveWindow::ListSeries(QTreeWidgetItem* study)
           }
         }
       }
-      this->status->setText(tr("Series: %1").arg(found->size()) + UnreadableText(*found));
+      this->status->setText(tr("Series: %1").arg(found.size()) + UnreadableText(found));
     });
 }
 
@@ -365,21 +364,21 @@ void ArchiveWindow::Fetch(const QString& users)
     this->status->setText(tr("Choose a study or a series first."));
     return;
   }
-  const auto place = std::make_shared<FetchPlace>();
   this->Start(
     tr("Fetching…"),
     [study = item->data(0, StudyRole).toString().toStdString(),
       series = item->data(0, SeriesRole).toString().toStdString(),
-      date = item->data(0, DateRole).toString(), users,
-      place](Archive& archive, const TaskProgress& goesOn)
+      date = item->data(0, DateRole).toString(),
+      users](Archive& archive, const TaskProgress& goesOn)
     {
-      *place = MakePlace(users, date);
-      FetchInto(*place, archive, study, series, goesOn);
+      FetchPlace place = MakePlace(users, date);
+      FetchInto(place, archive, study, series, goesOn);
+      return place;
     },
-    [this, place]
+    [this](const FetchPlace& place)
     {
       this->status->setText(tr("Fetched"));
-      emit this->Fetched(place->folder, place->temporary);
+      emit this->Fetched(place.folder, place.temporary);
     });
 }
 

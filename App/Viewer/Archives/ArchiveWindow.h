@@ -44,8 +44,10 @@ private:
   QWidget* MakeButtons();
   ArchiveQuery Query() const;
   /// Starts work with the chosen archive.
-  void Start(const QString& activity, std::function<void(Archive&, const TaskProgress&)> work,
-    std::function<void()> done);
+  /// @param work  is given the archive and a TaskProgress
+  /// @param done  as in BackgroundTask::Start
+  template <class Work, class Done>
+  void Start(const QString& activity, Work work, Done done);
   void Cancel();
   void Search();
   void ShowStudies(const std::vector<ArchiveStudy>& studies);

@@ -2,8 +2,6 @@
 
 #include "Scene/GradientMagnitudes.h"
 
-#include <QtConcurrentRun>
-
 namespace varimarch
 {
 
@@ -31,12 +29,6 @@ GradientCounting::GradientCounting(SceneModel* model, QObject* parent)
         this->Begin();
       }
     });
-  connect(&this->watcher, &QFutureWatcherBase::finished, this,
-    [this]
-    {
-      this->counts = this->watcher.result();
-      emit this->Counted();
-    });
 }
 
 void GradientCounting::Begin()
@@ -44,7 +36,12 @@ void GradientCounting::Begin()
   this->counts.reset();
   emit this->Begun();
   const auto study = this->model->EditedStudy();
-  this->watcher.setFuture(QtConcurrent::run([study] { return CountsOf(study->volume.image); }));
+  this->task.Start([study](const TaskProgress&) { return CountsOf(study->volume.image); },
+    [this](const std::shared_ptr<const GradientCounts>& found)
+    {
+      this->counts = found;
+      emit this->Counted();
+    });
 }
 
 }

@@ -2,9 +2,9 @@
 #define Varimarch_Viewer_GradientCounting_h
 
 #include "Scene/ValueGradientHistogram.h"
+#include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
 
-#include <QFutureWatcher>
 #include <QObject>
 
 #include <memory>
@@ -40,7 +40,7 @@ private:
 
   SceneModel* model;
   std::shared_ptr<const GradientCounts> counts;
-  QFutureWatcher<std::shared_ptr<const GradientCounts>> watcher;
+  BackgroundTask task;
 };
 
 }

@@ -85,16 +85,15 @@ void OverlayTimes::ReadNext()
   }
   const int time = this->model->ChosenTime();
   const auto study = this->model->StudyOf(*volume);
-  const auto found = std::make_shared<LoadedVolume>();
   this->last = { study->labelGuard, time };
-  this->task.Start([found, time, source = this->ReaderOf(*volume)](const TaskProgress& progress)
-    { *found = source->Read(time, progress); },
-    [this, found, study]
+  this->task.Start([time, source = this->ReaderOf(*volume)](const TaskProgress& progress)
+    { return source->Read(time, progress); },
+    [this, study](const LoadedVolume& found)
     {
       const std::optional<int> now = this->model->VolumeOf(*study);
-      if (now && found->times.current == this->model->ChosenTime())
+      if (now && found.times.current == this->model->ChosenTime())
       {
-        this->model->ShowTime(*found, *now);
+        this->model->ShowTime(found, *now);
       }
       this->reading.start(0);
     });

@@ -1,6 +1,6 @@
 #include "Viewer/Model/RecentScans.h"
 
-#include "Viewer/Model/ResultInTime.h"
+#include "Viewer/Model/BackgroundTask.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>

@@ -166,15 +166,14 @@ void SceneModel::CountInThread()
     return;
   }
   const auto study = this->StudyOf(*volume);
-  const auto counted = std::make_shared<std::shared_ptr<const Study>>();
-  this->counting.Start([study, counted, image = SharedCopy(study->volume)](const TaskProgress&)
-    { *counted = WithCounts(*study, image); },
-    [this, study, counted]
+  this->counting.Start([study, image = SharedCopy(study->volume)](const TaskProgress&)
+    { return WithCounts(*study, image); },
+    [this, study](const std::shared_ptr<const Study>& counted)
     {
       const std::optional<int> now = this->VolumeOf(*study);
       if (now && this->StudyOf(*now) == study)
       {
-        this->TakeCounted(*now, *counted);
+        this->TakeCounted(*now, counted);
       }
       this->CountInThread();
     });

@@ -59,10 +59,9 @@ void SegmentEditor::Work(
   }
   this->Release();
   const auto study = this->model->EditedStudy();
-  const auto found = std::make_shared<LabelChange>();
-  this->work.Start([study, found, change = std::move(change)](const TaskProgress&)
-    { *found = change(CopyOfLabels(*study)); },
-    [this, study, found, name] { this->Take(*study, *found, name); });
+  this->work.Start([study, change = std::move(change)](const TaskProgress&)
+    { return change(CopyOfLabels(*study)); },
+    [this, study, name](const LabelChange& found) { this->Take(*study, found, name); });
 }
 
 void SegmentEditor::Take(const Study& before, const LabelChange& change, const QString& name)

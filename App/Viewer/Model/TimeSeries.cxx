@@ -167,21 +167,21 @@ void TimeSeries::ReadNext()
   const int time = *next;
   const LoadedVolume& shown = this->model->CurrentStudy()->volume;
   const bool counts = this->counted.count(time) == 0 && !shown.isOnDisk && !this->AreCounted();
-  const auto found = std::make_shared<Found>();
   this->reading = time;
   this->task.Start(
-    [found, time, counts, source = this->reader](const TaskProgress& progress)
+    [time, counts, source = this->reader](const TaskProgress& progress)
     {
-      found->volume = source->Read(time, progress);
+      Found found = { source->Read(time, progress), {} };
       if (counts)
       {
-        found->statistics.emplace(found->volume.image);
+        found.statistics.emplace(found.volume.image);
       }
+      return found;
     },
-    [this, found, time] { this->Take(time, *found); });
+    [this, time](Found found) { this->Take(time, std::move(found)); });
 }
 
-void TimeSeries::Take(int time, Found& found)
+void TimeSeries::Take(int time, Found found)
 {
   if (found.statistics)
   {

@@ -57,7 +57,7 @@ private:
   void Begin();
   void ShowChosen();
   void ReadNext();
-  void Take(int time, Found& found);
+  void Take(int time, Found found);
   void DropOthers();
   void Leave(const QString& reason);
   int Count() const;

@@ -2,7 +2,7 @@
 
 #include "Scene/RawGuess.h"
 #include "Scene/SceneFile.h"
-#include "Viewer/Model/ResultInTime.h"
+#include "Viewer/Model/BackgroundTask.h"
 
 #include <filesystem>
 #include <string>

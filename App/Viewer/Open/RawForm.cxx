@@ -2,6 +2,8 @@
 
 #include "Scene/RawGuess.h"
 #include "Scene/SceneNames.h"
+#include "Scene/VolumeLoading.h"
+#include "Viewer/Open/GrayImage.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -16,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 
 namespace varimarch
@@ -39,6 +42,28 @@ QHBoxLayout* RowOf(const std::array<SpinBox*, 3>& boxes)
   return row;
 }
 
+// A slice as a volume of its own, with the slices before it as part of the header.
+RawLayout LayoutOfSlice(RawLayout layout, int slice)
+{
+  layout.dimensions[2] = 1;
+  const std::int64_t sliceBytes = BytesOf(layout) - layout.headerBytes;
+  layout.headerBytes += slice * sliceBytes;
+  return layout;
+}
+
+// Null if the slice cannot be read. Runs in the thread.
+QImage PictureOfSlice(const FileSource& slice, const TaskProgress& progress)
+{
+  try
+  {
+    return ImageOf(MiddleSlice(LoadVolume(slice, progress).image));
+  }
+  catch (const std::exception&)
+  {
+    return {};
+  }
+}
+
 }
 
 RawForm::RawForm(const QString& file, QWidget* parent)
@@ -55,12 +80,6 @@ RawForm::RawForm(const QString& file, QWidget* parent)
   column->addLayout(row, 1);
   column->addWidget(this->MakeButtons());
   this->openButton->setDefault(true); // only works once it is in the dialog
-  connect(&this->preview, &RawPreview::Ready, this,
-    [this](const QImage& read)
-    {
-      this->picture = read;
-      this->ShowPicture();
-    });
   this->SetLayout(GuessedRawLayout(this->path, this->fileBytes));
 }
 
@@ -116,8 +135,7 @@ QLayout* RawForm::MakePreview()
   this->slicePicture->setStyleSheet("background: black; color: #cccccc;");
   this->slice = new QSlider(Qt::Horizontal);
   this->slice->setAccessibleName(tr("Slice"));
-  connect(this->slice, &QSlider::valueChanged, this,
-    [this](int index) { this->preview.Read(this->path, this->Layout(), index); });
+  connect(this->slice, &QSlider::valueChanged, this, &RawForm::ReadSlice);
   this->fit = new QLabel;
   this->fit->setObjectName("fit");
   this->fit->setWordWrap(true);
@@ -186,7 +204,19 @@ void RawForm::Update()
 {
   this->slice->setMaximum(this->dimensions[2]->value() - 1);
   this->ShowFit();
-  this->preview.Read(this->path, this->Layout(), this->slice->value());
+  this->ReadSlice();
+}
+
+void RawForm::ReadSlice()
+{
+  const FileSource source = { this->path, LayoutOfSlice(this->Layout(), this->slice->value()) };
+  this->reading.StartAfterLast([source](const TaskProgress& progress)
+    { return PictureOfSlice(source, progress); },
+    [this](const QImage& read)
+    {
+      this->picture = read;
+      this->ShowPicture();
+    });
 }
 
 void RawForm::ShowFit()

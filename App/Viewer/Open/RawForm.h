@@ -1,9 +1,11 @@
 #ifndef Varimarch_Viewer_RawForm_h
 #define Varimarch_Viewer_RawForm_h
 
-#include "Viewer/Open/RawPreview.h"
+#include "Scene/Scene.h"
+#include "Viewer/Model/BackgroundTask.h"
 
 #include <QDialog>
+#include <QImage>
 
 #include <array>
 
@@ -42,13 +44,14 @@ private:
   QWidget* MakeButtons();
   void SetLayout(const RawLayout& layout);
   void Update();
+  void ReadSlice();
   void ShowFit();
   void ShowPicture();
 
   std::string path;
   std::int64_t fileBytes;
-  bool isCompressed; ///< compressed, so the file size says nothing
-  RawPreview preview;
+  bool isCompressed;      ///< compressed, so the file size says nothing
+  BackgroundTask reading; ///< reads the slice that is previewed
   QImage picture;
   std::array<QSpinBox*, 3> dimensions;
   std::array<QDoubleSpinBox*, 3> spacing;

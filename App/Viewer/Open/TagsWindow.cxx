@@ -107,14 +107,13 @@ TagsWindow::TagsWindow(const FileSource& source, QWidget* parent)
 
 void TagsWindow::FindFiles(const FileSource& source)
 {
-  const auto found = std::make_shared<std::shared_ptr<const TaggedSeries>>();
   this->task.Start(
-    [=](const TaskProgress& goesOn)
+    [source](const TaskProgress& goesOn)
     {
       ReadProgress progress(goesOn);
-      *found = std::make_shared<const TaggedSeries>(source.path, source.series, progress);
+      return std::make_shared<const TaggedSeries>(source.path, source.series, progress);
     },
-    [this, found] { this->ShowSeries(*found); });
+    [this](const std::shared_ptr<const TaggedSeries>& found) { this->ShowSeries(found); });
 }
 
 // The first attributes are those of the middle image, which usually shows most of the patient.
@@ -132,14 +131,13 @@ void TagsWindow::ShowSeries(const std::shared_ptr<const TaggedSeries>& found)
 
 void TagsWindow::ReadFile()
 {
-  const auto tags = std::make_shared<std::vector<DicomTag>>();
   const auto index = std::size_t(this->image->value() - 1);
-  this->task.Start([files = this->series, index, tags](const TaskProgress&)
-    { *tags = files->Tags(index); },
-    [this, index, tags]
+  this->task.Start([files = this->series, index](const TaskProgress&)
+    { return files->Tags(index); },
+    [this, index](const std::vector<DicomTag>& tags)
     {
       this->tree->clear();
-      this->tree->addTopLevelItems(ItemsOf(*tags));
+      this->tree->addTopLevelItems(ItemsOf(tags));
       this->tree->expandAll();
       for (int column = 0; column < TagValue; ++column)
       {
@@ -147,7 +145,7 @@ void TagsWindow::ReadFile()
       }
       this->status->setText(tr("%1: attributes: %2")
                               .arg(QString::fromStdString(this->series->Name(index)))
-                              .arg(tags->size()));
+                              .arg(tags.size()));
       ShowMatching(this->tree, this->search->text());
     });
 }

@@ -1,16 +1,16 @@
 #ifndef Varimarch_Viewer_PresetThumbnails_h
 #define Varimarch_Viewer_PresetThumbnails_h
 
+#include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QImage>
 #include <QObject>
 #include <QSize>
 
+#include <atomic>
 #include <memory>
 #include <vector>
-
-class QThread;
 
 namespace varimarch
 {
@@ -23,7 +23,6 @@ class PresetThumbnails : public QObject
 
 public:
   explicit PresetThumbnails(QObject* parent = nullptr);
-  ~PresetThumbnails() override;
 
   /// Starts over. No thumbnails of earlier calls are emitted afterwards.
   /// @param presets  in units of the data
@@ -37,15 +36,8 @@ signals:
   void Drawn(int index, const QImage& picture);
 
 private:
-  struct Task;
-
-  void Start();
-  void Finish();
-  void Run(const std::shared_ptr<Task>& task);
-
-  QThread* thread = nullptr;
-  std::shared_ptr<Task> task;   ///< the latest request
-  std::shared_ptr<Task> atWork; ///< running in the thread
+  BackgroundTask task;
+  std::shared_ptr<std::atomic<bool>> rests; ///< asks the latest work to pause
 };
 
 }
