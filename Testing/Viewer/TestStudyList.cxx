@@ -5,7 +5,7 @@
 #include "Readers/VolumeFile.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Studies/StudyListWindow.h"
-#include "Viewer/Studies/StudyTexts.h"
+#include "Viewer/Studies/StudyTree.h"
 #include "Waiting.h"
 
 #include <QFile>

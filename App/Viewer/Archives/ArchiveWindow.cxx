@@ -1,7 +1,7 @@
 #include "Viewer/Archives/ArchiveWindow.h"
 
 #include "Readers/PrivateFolder.h"
-#include "Viewer/Studies/StudyTexts.h"
+#include "Viewer/Studies/StudyTree.h"
 
 #include <QDate>
 #include <QDir>

@@ -1,7 +1,7 @@
 #include "Viewer/Open/TagsWindow.h"
 
 #include "Readers/Dicom/TaggedSeries.h"
-#include "Viewer/Studies/TreeSearch.h"
+#include "Viewer/Studies/StudyTree.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,4 +1,4 @@
-#include "Viewer/Studies/StudyIndex.h"
+#include "Viewer/Studies/StudyListWindow.h"
 
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/FileSearch.h"

@@ -2,8 +2,7 @@
 
 #include "Readers/VolumeFile.h"
 #include "Viewer/Model/RecentScans.h"
-#include "Viewer/Studies/StudyTexts.h"
-#include "Viewer/Studies/TreeSearch.h"
+#include "Viewer/Studies/StudyTree.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>

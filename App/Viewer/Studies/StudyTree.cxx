@@ -1,5 +1,7 @@
-#include "Viewer/Studies/TreeSearch.h"
+#include "Viewer/Studies/StudyTree.h"
 
+#include <QDate>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
 #include <QTreeWidget>
@@ -26,6 +28,26 @@ bool ShowIfMatching(QTreeWidgetItem* item, const QString& above, const QStringLi
   return isShown;
 }
 
+}
+
+QString PersonText(const QString& stored)
+{
+  // The forms of a name in several alphabets, of which the first may be empty.
+  const QStringList forms = stored.split('=', Qt::SkipEmptyParts);
+  QStringList parts = forms.isEmpty() ? QStringList() : forms.first().split('^');
+  if (parts.isEmpty())
+  {
+    return {};
+  }
+  const QString family = parts.takeFirst();
+  const QString given = parts.join(' ').simplified();
+  return given.isEmpty() ? family : family + ", " + given;
+}
+
+QString DateText(const QString& stored)
+{
+  const QDate date = QDate::fromString(stored, "yyyyMMdd");
+  return date.isValid() ? QLocale().toString(date, QLocale::ShortFormat) : stored;
 }
 
 QString LineOf(const QTreeWidgetItem& item)

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Viewer_TreeSearch_h
-#define Varimarch_Viewer_TreeSearch_h
+#ifndef Varimarch_Viewer_StudyTree_h
+#define Varimarch_Viewer_StudyTree_h
 
 #include <QString>
 
@@ -8,6 +8,12 @@ class QTreeWidgetItem;
 
 namespace varimarch
 {
+
+/// A person's name as people write it: "Doe, Jane" for "Doe^Jane" (PS3.5 6.2.1.1).
+QString PersonText(const QString& stored);
+
+/// A date in the form of the user's language for DICOM's "20261126"; other texts stay.
+QString DateText(const QString& stored);
 
 /// The texts of an item's columns, between tabs.
 QString LineOf(const QTreeWidgetItem& item);
