@@ -1,6 +1,12 @@
 #include "Viewer/MainWindow.h"
 
+#include "Scene/PresetSuggestion.h"
+#include "Scene/Presets.h"
+#include "Scene/SingleImage.h"
 #include "Viewer/AccessibleNames.h"
+#include "Viewer/ExportActions.h"
+#include "Viewer/HelpActions.h"
+#include "Viewer/Menus.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Model/TimeSeries.h"
@@ -9,26 +15,35 @@
 #include "Viewer/PanelTabs.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Panels/FusionBar.h"
+#include "Viewer/Panels/KeyImagesBox.h"
 #include "Viewer/Panels/LightsPanel.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Panels/PresetGallery.h"
 #include "Viewer/Panels/QualityPanel.h"
+#include "Viewer/Panels/SegmentEditingBox.h"
+#include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/Panels/SlabBar.h"
 #include "Viewer/Panels/TimeBar.h"
 #include "Viewer/Panels/TimeCurve.h"
 #include "Viewer/Panels/VolumesPanel.h"
+#include "Viewer/Reports/BenchmarkDialog.h"
+#include "Viewer/SaveActions.h"
+#include "Viewer/ScanLists.h"
 #include "Viewer/View/ComparisonView.h"
 #include "Viewer/View/CurvedView.h"
 #include "Viewer/View/SliceView.h"
 #include "Viewer/View/ViewLayout.h"
 #include "Viewer/View/VolumeView.h"
-#include "Viewer/ViewMenu.h"
 
 #include <QAction>
+#include <QCloseEvent>
 #include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QGuiApplication>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -37,31 +52,84 @@
 #include <QStandardPaths>
 #include <QStatusBar>
 #include <QTabBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace varimarch
 {
 
+namespace
+{
+
+QString DataFolder()
+{
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+}
+
+// Two widgets in a column, with the heights that they get of its room.
+QWidget* InColumn(QWidget* upper, int upperStretch, QWidget* lower, int lowerStretch)
+{
+  auto* const both = new QWidget;
+  auto* const column = new QVBoxLayout(both);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(upper, upperStretch);
+  column->addWidget(lower, lowerStretch);
+  return both;
+}
+
+}
+
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
-  , autosave(&this->model, QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
+  , autosave(&this->model, DataFolder())
+  , work(&this->model, &this->autosave)
+  , loader({ &this->model, &this->work, [this] { return this->saving->MayLeaveScan(); } })
   , view(new ComparisonView(&this->model))
-  , warnings(new WarningBar)
 {
   this->setWindowTitle(tr("Varimarch, not for diagnostic use"));
+  this->MakeActions();
+  this->MakeCenter();
+  this->setAcceptDrops(true);
+  this->resize(1280, 800);
+  this->MakeMenus();
+  this->MakePanels();
+  this->MakeStatusBar();
+  const QSettings settings;
+  this->restoreGeometry(settings.value("window/geometry").toByteArray());
+  this->restoreState(settings.value("window/panels").toByteArray());
+  this->curvedDock->hide(); // there is no curve yet
+  this->Listen();
+}
+
+void MainWindow::MakeActions()
+{
+  this->lists = new ScanLists(&this->model, this);
+  this->saving = new SaveActions({ &this->model, &this->work, this->lists }, this);
+  this->opening = new OpenActions(
+    { &this->model, &this->loader, this->saving, this->lists, &this->autosave }, this);
+  connect(this->saving, &SaveActions::Saved, this, &MainWindow::ShowSaved);
+  connect(this->opening, &OpenActions::Failed, this, &MainWindow::OpeningFailed);
+}
+
+void MainWindow::MakeCenter()
+{
   auto* const center = new QWidget;
   auto* const column = new QVBoxLayout(center);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(this->warnings);
+  auto* const warnings = new WarningBar(&this->model);
+  connect(warnings, &WarningBar::SeriesWanted, this->opening, &OpenActions::Open);
+  connect(warnings, &WarningBar::OtherFormWanted, this, &MainWindow::ToggleRectified);
+  connect(&this->loader, &LoadController::Opened, warnings, &WarningBar::LookForSeries);
+  column->addWidget(warnings);
   this->MakeViews();
-  this->MakeStartPage();
-  this->MakeTimes();
+  this->help = new HelpActions({ this->view, this->sliceViews.front() }, this);
   auto* const pages = new QStackedWidget;
-  pages->addWidget(this->startPage);
+  pages->addWidget(this->MakeStartPage());
   pages->addWidget(this->views);
   connect(&this->model, &SceneModel::Changed, pages,
     [this, pages]
@@ -73,60 +141,8 @@ MainWindow::MainWindow(QWidget* parent)
       }
     });
   column->addWidget(pages, 1);
-  column->addWidget(this->timeCurve);
-  column->addWidget(this->timeBar);
+  this->MakeTimes(column);
   this->setCentralWidget(center);
-  this->setAcceptDrops(true);
-  this->resize(1280, 800);
-  this->MakeFileMenu();
-  this->MakeEditMenu();
-  this->MakeViewMenu();
-  this->MakeToolMenu();
-  this->MakeHelpMenu();
-  this->MakePanels();
-  this->MakeStatusBar();
-  const QSettings settings;
-  this->restoreGeometry(settings.value("window/geometry").toByteArray());
-  this->restoreState(settings.value("window/panels").toByteArray());
-  this->curvedDock->hide(); // there is no curve yet
-  this->Listen();
-}
-
-void MainWindow::Listen()
-{
-  connect(this->warnings, &WarningBar::RemedyWanted, this, &MainWindow::TakeRemedy);
-  connect(&this->model, &SceneModel::Changed, this,
-    [this](ScenePart part)
-    {
-      if (part == ScenePart::Volume || part == ScenePart::Labels || part == ScenePart::Overlays)
-      {
-        this->ShowWarnings(part == ScenePart::Volume);
-      }
-      if (part == ScenePart::Look)
-      {
-        this->statusBar()->clearMessage(); // it gives the reason for the first look
-      }
-    });
-  // The view is still drawing when it tells.
-  connect(this->view->Ours(), &VolumeView::GraphicsLost, this, &MainWindow::RenewGraphics,
-    Qt::QueuedConnection);
-  connect(this->view->Ours(), &VolumeView::Drawn, this, [this] { this->resetsInARow = 0; });
-  connect(&this->loader, &VolumeLoader::Loaded, this, &MainWindow::ShowLoaded);
-  connect(&this->loader, &VolumeLoader::Previewed, this, &MainWindow::ShowPreview);
-  connect(&this->loader, &VolumeLoader::SeriesFound, this, &MainWindow::AskForSeries);
-  connect(&this->loader, &VolumeLoader::LabelsLoaded, this, &MainWindow::ShowSegmentation);
-  connect(
-    &this->loader, &VolumeLoader::PossibleLabelsLoaded, this, &MainWindow::AskForSegmentation);
-  connect(&this->loader, &VolumeLoader::SegmentationsFound, this,
-    [this](const std::vector<SeriesSummary>& found) { this->segmentations = found; });
-  connect(&this->loader, &VolumeLoader::Failed, this, &MainWindow::ShowFailure);
-  connect(&this->loader, &VolumeLoader::Cancelled, this,
-    [this]
-    {
-      LogEvent("loading cancelled");
-      this->ShowLoading(false);
-      this->statusBar()->showMessage(tr("Loading was cancelled"));
-    });
 }
 
 void MainWindow::MakeViews()
@@ -161,51 +177,51 @@ void MainWindow::MakeViews()
   }
 }
 
-void MainWindow::MakeStartPage()
+QWidget* MainWindow::MakeStartPage()
 {
-  this->startPage = new StartPage(this->recentScans);
-  connect(this->startPage, &StartPage::FileWanted, this, &MainWindow::ChooseFile);
-  connect(this->startPage, &StartPage::FolderWanted, this, &MainWindow::ChooseFolder);
-  connect(this->startPage, &StartPage::ScanWanted, this, &MainWindow::Open);
-  connect(this->startPage, &StartPage::TourWanted, this, &MainWindow::ShowTour);
-  connect(this->startPage, &StartPage::SampleWanted, this, &MainWindow::OpenSample);
+  auto* const page = new StartPage(this->lists->Recent());
+  connect(page, &StartPage::FileWanted, this->opening, &OpenActions::ChooseFile);
+  connect(page, &StartPage::FolderWanted, this->opening, &OpenActions::ChooseFolder);
+  connect(page, &StartPage::ScanWanted, this->opening, &OpenActions::Open);
+  connect(page, &StartPage::TourWanted, this->help, &HelpActions::ShowTour);
+  connect(page, &StartPage::SampleWanted, this->opening, &OpenActions::OpenSample);
+  return page;
 }
 
-void MainWindow::MakeTimes()
+void MainWindow::MakeTimes(QLayout* column)
 {
-  this->times = new TimeSeries(&this->model, this);
-  this->timeBar = new TimeBar(&this->model, this->times);
-  this->timeCurve = new TimeCurve(&this->model, this->times);
-  this->timeCurve->hide();
-  connect(this->timeBar, &TimeBar::CurveWanted, this->timeCurve, &QWidget::setVisible);
-  connect(this->times, &TimeSeries::Failed, this,
-    [this](const QString& reason) { this->statusBar()->showMessage(reason); });
+  auto* const times = new TimeSeries(&this->model, this);
+  this->timeBar = new TimeBar(&this->model, times);
+  auto* const curve = new TimeCurve(&this->model, times);
+  curve->hide();
+  connect(this->timeBar, &TimeBar::CurveWanted, curve, &QWidget::setVisible);
+  connect(times, &TimeSeries::Failed, this, &MainWindow::ShowMessage);
+  column->addWidget(curve);
+  column->addWidget(this->timeBar);
+}
+
+void MainWindow::MakeMenus()
+{
+  this->MakeFileMenu();
+  this->MakeEditMenu();
+  this->MakeViewMenu();
+  this->MakeToolMenu();
+  this->help->AddTo(this->menuBar()->addMenu(tr("&Help")));
 }
 
 void MainWindow::MakeFileMenu()
 {
   QMenu* const file = this->menuBar()->addMenu(tr("&File"));
-  this->MakeOpenActions(file);
-  QAction* const further =
-    file->addAction(tr("A&dd a scan…"), this, &MainWindow::ChooseFurtherScan);
-  further->setObjectName("addScan");
-  further->setEnabled(false);
-  connect(&this->model, &SceneModel::Changed, further, [further] { further->setEnabled(true); });
-  QAction* const segmentation =
-    file->addAction(tr("Open a se&gmentation…"), this, &MainWindow::ChooseSegmentation);
-  segmentation->setObjectName("openSegmentation");
-  segmentation->setEnabled(false);
-  connect(&this->model, &SceneModel::Changed, segmentation,
-    [segmentation] { segmentation->setEnabled(true); });
-  this->recentMenu = file->addMenu(tr("&Recent scans"));
-  this->recentMenu->setObjectName("recent");
-  connect(this->recentMenu, &QMenu::aboutToShow, this, &MainWindow::ListRecentScans);
-  this->MakeAskAtStartAction(file);
-  this->MakeMemoryMenu(file->addMenu(tr("Memor&y for volumes")));
-  this->MakeArchiveActions(file);
-  file->addAction(tr("&Save the session…"), this, &MainWindow::SaveSession, QKeySequence::Save);
+  this->opening->AddTo(file);
+  this->lists->AddRecentScansTo(file);
+  this->opening->AddSettingsTo(file);
+  this->lists->AddListsTo(file);
+  this->saving->AddTo(file);
   file->addSeparator();
-  this->MakeExportActions(file);
+  auto* const exports =
+    new ExportActions({ &this->model, this->view->Ours(), this->timeBar }, this);
+  connect(exports, &ExportActions::Saved, this, &MainWindow::ShowSaved);
+  exports->AddTo(file);
   file->addSeparator();
   file->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
 }
@@ -228,7 +244,7 @@ void MainWindow::MakeEditMenu()
       });
   }
   edit->addSeparator();
-  edit->addAction(tr("&Suggested look"), this, &MainWindow::TakeSuggestedLook, QKeySequence("R"));
+  edit->addAction(tr("&Suggested look"), this, &MainWindow::ShowSuggestedLook, QKeySequence("R"));
 }
 
 void MainWindow::MakeViewMenu()
@@ -243,37 +259,49 @@ void MainWindow::MakeViewMenu()
   this->viewMenu->AddTimes(this->timeBar->Actions());
 }
 
+void MainWindow::MakeToolMenu()
+{
+  auto* const menu = new ToolMenu(this);
+  this->menuBar()->addMenu(menu);
+  connect(menu, &ToolMenu::ToolChosen, this->view, &ComparisonView::SetTool);
+  connect(menu, &ToolMenu::ComparisonChosen, this, &MainWindow::Compare);
+  connect(menu, &ToolMenu::WipeChosen, this->view, &ComparisonView::SetWipe);
+  connect(menu, &ToolMenu::BenchmarkWanted, this, &MainWindow::ShowBenchmark);
+  connect(menu, &ToolMenu::KeyImageWanted, this, [this] { this->keyImages->Mark(this->lastView); });
+  this->view->Ours()->installEventFilter(this);
+  for (SliceView* const slice : this->sliceViews)
+  {
+    connect(menu, &ToolMenu::ToolChosen, slice, &SliceView::SetTool);
+    slice->installEventFilter(this);
+  }
+}
+
+QDockWidget* MainWindow::AddPanel(const QString& name, const QString& title, QWidget* panel)
+{
+  // Panels scroll if the window is lower than they are.
+  auto* const scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus); // it follows the control that has the keys
+  scroll->setWidget(panel);
+  auto* const dock = new QDockWidget(title);
+  dock->setObjectName(name);
+  dock->setWidget(scroll);
+  this->panels.push_back(dock);
+  return dock;
+}
+
 void MainWindow::MakePanels()
 {
-  const auto dockOf = [this](const QString& name, const QString& title, QWidget* panel)
-  {
-    // Panels scroll if the window is lower than they are.
-    auto* const scroll = new QScrollArea;
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus); // it follows the control that has the keys
-    scroll->setWidget(panel);
-    auto* const dock = new QDockWidget(title);
-    dock->setObjectName(name);
-    dock->setWidget(scroll);
-    this->panels.push_back(dock);
-    return dock;
-  };
-  dockOf("presets", tr("Presets"),
-    new PresetGallery(&this->model,
-      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/presets"));
-  dockOf("look", tr("Look"), new LookPanel(&this->model));
-  dockOf("lights", tr("Lights"), new LightsPanel(&this->model));
-  QDockWidget* const cuts = dockOf("cuts", tr("Cut away"), new CutsPanel(&this->model));
-  auto* const measures = new MeasuresPanel(&this->model);
-  connect(measures, &MeasuresPanel::Saved, this, &MainWindow::ShowSaved);
-  dockOf("measures", tr("Measurements"), this->WithKeyImages(measures));
-  auto* const volumes = new VolumesPanel(&this->model);
-  connect(volumes, &VolumesPanel::AddWanted, this, &MainWindow::ChooseFurtherScan);
-  connect(volumes, &VolumesPanel::RegistrationWanted, this, &MainWindow::Register);
-  dockOf("volumes", tr("Volumes"), volumes);
-  dockOf("segments", tr("Segments"), this->MakeSegmentsPanel());
-  dockOf("quality", tr("Quality"), new QualityPanel(&this->model));
+  this->AddPanel(
+    "presets", tr("Presets"), new PresetGallery(&this->model, DataFolder() + "/presets"));
+  this->AddPanel("look", tr("Look"), new LookPanel(&this->model));
+  this->AddPanel("lights", tr("Lights"), new LightsPanel(&this->model));
+  QDockWidget* const cuts = this->AddPanel("cuts", tr("Cut away"), new CutsPanel(&this->model));
+  this->AddPanel("measures", tr("Measurements"), this->MakeMeasuresPanel());
+  this->AddPanel("volumes", tr("Volumes"), this->MakeVolumesPanel());
+  this->AddPanel("segments", tr("Segments"), this->MakeSegmentsPanel());
+  this->AddPanel("quality", tr("Quality"), new QualityPanel(&this->model));
   // Handles are visible only while the panel of the cuts is open.
   connect(cuts, &QDockWidget::visibilityChanged, this->view->Ours(), &VolumeView::ShowCutHandles);
   this->MakeCurvedView();
@@ -284,12 +312,42 @@ void MainWindow::MakePanels()
   NamePartsOfControls(this);
 }
 
+QWidget* MainWindow::MakeMeasuresPanel()
+{
+  auto* const measures = new MeasuresPanel(&this->model);
+  connect(measures, &MeasuresPanel::Saved, this, &MainWindow::ShowSaved);
+  this->keyImages = new KeyImagesBox(&this->model);
+  return InColumn(measures, 3, this->keyImages, 1);
+}
+
+QWidget* MainWindow::MakeVolumesPanel()
+{
+  auto* const volumes = new VolumesPanel(&this->model);
+  connect(volumes, &VolumesPanel::AddWanted, this->opening, &OpenActions::ChooseFurtherScan);
+  connect(volumes, &VolumesPanel::Registered, this,
+    [this] {
+      this->ShowMessage(tr("Registered; compare the volumes in the slices before you trust it"));
+    });
+  return volumes;
+}
+
+QWidget* MainWindow::MakeSegmentsPanel()
+{
+  auto* const segments = new SegmentsPanel(&this->model);
+  connect(segments, &SegmentsPanel::OpenWanted, this->opening, &OpenActions::ChooseSegmentation);
+  connect(segments, &SegmentsPanel::Saved, this, &MainWindow::ShowSaved);
+  connect(segments, &SegmentsPanel::Selected, this->segmentEditor, &SegmentEditor::SetSegment);
+  auto* const box = new SegmentEditingBox(&this->model, this->segmentEditor);
+  connect(box, &SegmentEditingBox::SaveWanted, this,
+    [this] { this->saving->SaveSegmentation(this->model.EditedVolume()); });
+  return InColumn(segments, 1, box, 0);
+}
+
 // The view along a curve lies below the others while there is a curve.
 void MainWindow::MakeCurvedView()
 {
   auto* const curved = new CurvedView(&this->model);
-  connect(curved, &CurvedView::Pointed, this,
-    [this](const QString& text) { this->statusBar()->showMessage(text); });
+  connect(curved, &CurvedView::Pointed, this, &MainWindow::ShowMessage);
   this->curvedDock = new QDockWidget(tr("Along the curve"));
   this->curvedDock->setObjectName("curve");
   this->curvedDock->setWidget(curved);
@@ -309,6 +367,44 @@ void MainWindow::MakeCurvedView()
       }
       hadCurve = hasCurve;
     });
+}
+
+// The stacked panels are all but the last one.
+void MainWindow::MakePanelTabs()
+{
+  QToolBar* const bar = this->addToolBar(tr("Titles of panels"));
+  bar->setObjectName("panelBar");
+  bar->setMovable(false);
+  bar->toggleViewAction()->setVisible(false); // without it, panels would have no titles to click
+  auto* const room = new QWidget;
+  room->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(room);
+  auto* const tabs = new PanelTabs({ this->panels.begin(), this->panels.end() - 1 });
+  tabs->setAccessibleName(bar->windowTitle());
+  bar->addWidget(tabs);
+}
+
+// Leaves the icons out if the tools do not fit with them, as with large letters, and puts the
+// titles of panels below the tools if they do not fit beside them.
+void MainWindow::ArrangeToolBars()
+{
+  auto* const tools = this->findChild<QToolBar*>("leftButton");
+  auto* const titles = this->findChild<QToolBar*>("panelBar");
+  tools->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  if (tools->sizeHint().width() > this->width())
+  {
+    tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  }
+  const bool isBeside =
+    tools->sizeHint().width() + titles->sizeHint().width() <= this->width() || tools->isHidden();
+  if (isBeside && this->toolBarBreak(titles))
+  {
+    this->removeToolBarBreak(titles);
+  }
+  else if (!isBeside && !this->toolBarBreak(titles))
+  {
+    this->insertToolBarBreak(titles);
+  }
 }
 
 // Stacks all panels except the last, which lies below them. Each is stacked at once, since the
@@ -358,22 +454,215 @@ void MainWindow::MakePanelMenu()
 
 void MainWindow::MakeStatusBar()
 {
-  this->progress = new QProgressBar;
-  this->progress->setRange(0, 100);
-  this->cancel = new QPushButton(tr("Cancel"));
-  this->statusBar()->addPermanentWidget(this->progress);
-  this->statusBar()->addPermanentWidget(this->cancel);
-  this->ShowLoading(false);
-  this->statusBar()->showMessage(tr("Open a scan, or drop one here"));
-  const auto showText = [this](const QString& text) { this->statusBar()->showMessage(text); };
-  connect(this->view->Ours(), &VolumeView::Pointed, this->statusBar(), showText);
+  auto* const progress = new QProgressBar;
+  progress->setRange(0, 100);
+  auto* const cancel = new QPushButton(tr("Cancel"));
+  this->statusBar()->addPermanentWidget(progress);
+  this->statusBar()->addPermanentWidget(cancel);
+  const auto showLoading = [progress, cancel](bool isLoading)
+  {
+    progress->setVisible(isLoading);
+    progress->setValue(0);
+    cancel->setVisible(isLoading);
+  };
+  showLoading(false);
+  this->ShowMessage(tr("Open a scan, or drop one here"));
+  connect(this->view->Ours(), &VolumeView::Pointed, this, &MainWindow::ShowMessage);
   for (SliceView* const slice : this->sliceViews)
   {
-    connect(slice, &SliceView::Pointed, this->statusBar(), showText);
+    connect(slice, &SliceView::Pointed, this, &MainWindow::ShowMessage);
   }
-  connect(this->cancel, &QPushButton::clicked, &this->loader, &VolumeLoader::Cancel);
-  connect(&this->loader, &VolumeLoader::Progress, this->progress,
-    [this](double part) { this->progress->setValue(int(100.0 * part)); });
+  connect(cancel, &QPushButton::clicked, &this->loader, &LoadController::Cancel);
+  connect(&this->loader, &LoadController::LoadingChanged, progress, showLoading);
+  connect(&this->loader, &LoadController::Progress, progress,
+    [progress](double part) { progress->setValue(int(100.0 * part)); });
+}
+
+void MainWindow::Listen()
+{
+  connect(&this->model, &SceneModel::Changed, this,
+    [this](ScenePart part)
+    {
+      if (part == ScenePart::Look)
+      {
+        this->statusBar()->clearMessage(); // it gives the reason for the first look
+      }
+    });
+  // The view is still drawing when it tells.
+  connect(this->view->Ours(), &VolumeView::GraphicsLost, this, &MainWindow::RenewGraphics,
+    Qt::QueuedConnection);
+  connect(this->view->Ours(), &VolumeView::Drawn, this, [this] { this->resetsInARow = 0; });
+  connect(&this->loader, &LoadController::Opened, this, &MainWindow::ArrangeSingleImage);
+  // The tour shows the phantom if there is no scan, and none is being loaded.
+  connect(this->help, &HelpActions::TourBegins, this,
+    [this]
+    {
+      if (!this->model.CurrentStudy() && !this->loader.IsLoading())
+      {
+        this->opening->OpenSample(SampleTorso());
+      }
+    });
+}
+
+void MainWindow::ShowNoticeOnce()
+{
+  this->help->ShowNoticeOnce();
+}
+
+void MainWindow::Compare(std::optional<MapperKind> kind)
+{
+  this->view->CompareWith(kind);
+  this->views->ShowSlices(!kind); // three images side by side need their room
+}
+
+void MainWindow::ShowBenchmark()
+{
+  if (this->model.CurrentStudy())
+  {
+    auto* const dialog = new BenchmarkDialog(&this->model, this->view->Ours()->size(), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+  }
+}
+
+void MainWindow::ShowMessage(const QString& text)
+{
+  this->statusBar()->showMessage(text);
+}
+
+void MainWindow::ShowSaved(const QString& path)
+{
+  this->ShowMessage(tr("Saved %1").arg(path));
+}
+
+// Gives the edited volume its first look again.
+void MainWindow::ShowSuggestedLook()
+{
+  const auto study = this->model.EditedStudy();
+  const int edited = this->model.EditedVolume();
+  if (edited > 0)
+  {
+    const VolumeSource& source = this->model.CurrentScene().overlays[edited - 1].source;
+    this->model.SetLook(
+      OverlayOf(source, study->volume, study->statistics).look, tr("suggested look"));
+  }
+  else if (study)
+  {
+    const std::string name = SuggestedPreset(study->volume, study->statistics).name;
+    this->model.SetPreset(BuiltInPreset(name), tr("suggested look"));
+  }
+}
+
+// Segments are read anew for the other grid, so they are saved before.
+void MainWindow::ToggleRectified()
+{
+  if (!this->model.HasUnsavedLabels() || this->saving->SaveSegmentation(0))
+  {
+    this->loader.ToggleRectified();
+  }
+}
+
+// A single image, such as a radiograph, fills the window. In 3D and from its edges it is a line.
+void MainWindow::ArrangeSingleImage()
+{
+  const auto single = SingleImageOf(this->model.CurrentStudy()->volume.image);
+  if (single)
+  {
+    this->views->ShowAlone(this->sliceViews[std::size_t(single->plane)]);
+  }
+  else if (this->isSingleImage)
+  {
+    this->views->ShowAlone(nullptr);
+  }
+  this->isSingleImage = bool(single);
+}
+
+// Makes new contexts: that of the window, with which the views share theirs, is lost too.
+void MainWindow::RenewGraphics()
+{
+  constexpr int MostInARow = 2;
+  constexpr int GestureMilliseconds = 50;
+  if (QGuiApplication::mouseButtons() != Qt::NoButton)
+  {
+    // A window that is made anew would miss the end of the gesture.
+    QTimer::singleShot(GestureMilliseconds, this, &MainWindow::RenewGraphics);
+    return;
+  }
+  LogEvent("graphics card reset");
+  const bool goesOn = ++this->resetsInARow < MostInARow;
+  if (goesOn)
+  {
+    // A view drops its context when it leaves a window.
+    QWidget* const center = this->takeCentralWidget();
+    this->hide();
+    this->destroy(true, false);
+    this->setCentralWidget(center);
+    center->show();
+    this->show();
+  }
+  auto* const box = new QMessageBox(QMessageBox::Warning, tr("Graphics card"),
+    goesOn ? tr("The graphics card was reset, and the image is drawn anew; nothing is lost.")
+           : tr("The graphics card was reset again before it had drawn an image; save the session "
+                "and start the program again, with another driver, or with "
+                "LIBGL_ALWAYS_SOFTWARE=1 to draw without the card."),
+    QMessageBox::Ok, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  if (!OpenActions::LocalFiles(*event->mimeData()).isEmpty())
+  {
+    event->acceptProposedAction();
+  }
+}
+
+// The program that the file is dragged from waits for the end of this function.
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  const QStringList paths = OpenActions::LocalFiles(*event->mimeData());
+  QTimer::singleShot(0, this, [this, paths] { this->opening->OpenDropped(paths); });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  if (!this->saving->MayLeaveScan())
+  {
+    event->ignore();
+    return;
+  }
+  LogEvent("window closed");
+  this->loader.Cancel();
+  // Without a volume, the copy of an earlier run could not be restored, or has not been yet.
+  if (this->model.CurrentStudy())
+  {
+    this->autosave.Remove();
+  }
+  this->lists->DeleteTemporaryScans(); // the program may end before its threads do
+  QSettings settings;
+  settings.setValue("window/geometry", this->saveGeometry());
+  settings.setValue("window/panels", this->saveState());
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+  QMainWindow::resizeEvent(event);
+  this->ArrangeToolBars();
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::FocusIn)
+  {
+    const auto slice = std::find(this->sliceViews.begin(), this->sliceViews.end(), watched);
+    // The views are in the order of the planes.
+    this->lastView = slice == this->sliceViews.end()
+      ? KeyView::Volume
+      : KeyView(int(KeyView::Axial) + int(slice - this->sliceViews.begin()));
+  }
+  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::childEvent(QChildEvent* event)

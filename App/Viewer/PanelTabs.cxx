@@ -50,4 +50,12 @@ void HideTabsOfQt(QTabBar* tabs)
   tabs->setStyleSheet("QTabBar::tab { width: 0; height: 0; margin: 0; padding: 0; border: none }");
 }
 
+QWidget* RaisePanel(const QWidget* window, const char* name)
+{
+  auto* const panel = window->findChild<QDockWidget*>(name);
+  panel->show();
+  panel->raise();
+  return panel;
+}
+
 }

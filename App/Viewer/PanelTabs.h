@@ -25,6 +25,10 @@ private:
   std::vector<QDockWidget*> panels;
 };
 
+/// Shows a panel of a window, in front of those that share its place.
+/// @param name  its object name
+QWidget* RaisePanel(const QWidget* window, const char* name);
+
 /// Hides the tabs that Qt makes above stacked panels.
 void HideTabsOfQt(QTabBar* tabs);
 

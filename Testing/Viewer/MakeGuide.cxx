@@ -169,9 +169,9 @@ public:
     WriteVolume({ BoneAndTeeth(this->Model()->CurrentStudy()->volume.image), "", {} }, path);
     VolumeView* const view = this->window.CentralView()->Ours();
     view->SetRefining(false); // one frame is enough
-    this->window.Loader()->LoadLabels(
+    this->window.Loader()->StartLabels(
       { path, {}, { { 1, "bone", { 0.90, 0.60, 0.25 } }, { 2, "teeth", { 0.25, 0.60, 0.95 } } } },
-      this->Model()->CurrentStudy());
+      0);
     Require(QTest::qWaitFor(
               [&] { return this->Model()->CurrentStudy()->labels != nullptr; }, MostMilliseconds),
       "the segments are not opened");

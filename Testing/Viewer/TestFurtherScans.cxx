@@ -18,7 +18,6 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
-#include <QThreadPool>
 #include <QToolButton>
 
 using namespace varimarch;
@@ -174,8 +173,7 @@ TEST_F(FurtherScans, StayWhereTheyAreIfTheirRegistrationIsCancelled)
   ASSERT_TRUE(waiting);
   waiting->findChild<QPushButton*>()->click();
   EXPECT_TRUE(QTest::qWaitFor([&] { return waiting.isNull(); }, MostMilliseconds));
-  QThreadPool::globalInstance()->waitForDone();
-  QCoreApplication::processEvents();
+  QTest::qWait(1000); // its thread ends
   EXPECT_EQ(this->Model()->CurrentScene().overlays[0].placement, Placement());
 }
 

@@ -2,8 +2,8 @@
 
 #include "Answers.h"
 #include "Scene/SceneFile.h"
-#include "SmallStudy.h"
 #include "TorsoWindow.h"
+#include "Viewer/Model/MemoryLimit.h"
 
 #include <QAction>
 #include <QDir>
@@ -75,14 +75,19 @@ TEST_F(Leaving, AsksBeforeMeasurementsAreLost)
 
 TEST_F(Leaving, AsksAboutWhatWasMeasuredInACoarseCopy)
 {
-  const VolumeSource source = FileSource{ this->Path("large.nrrd").toStdString(), std::nullopt };
-  Study copy = *SmallStudy();
-  copy.volume.isPreview = true;
-  emit this->window.Loader()->Previewed(source, std::make_shared<const Study>(copy));
-  ASSERT_TRUE(this->Model()->CurrentStudy()->volume.isPreview);
+  QFile large(this->Path("large.nrrd"));
+  ASSERT_TRUE(large.open(QIODevice::WriteOnly));
+  large.write("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 1024 1024 512\n"
+              "encoding: raw\nspacings: 1 1 1\n\n");
+  ASSERT_TRUE(large.resize(large.pos() + (512 << 20)));
+  large.close();
+  ChooseMemoryGigabytes(2);
+  this->window.Open(large.fileName());
+  const auto isPreview = [&] { return this->Model()->CurrentStudy()->volume.isPreview; };
+  ASSERT_TRUE(QTest::qWaitFor(isPreview, MostMilliseconds));
   this->Measure();
-  emit this->window.Loader()->Loaded(source, SmallStudy());
-  EXPECT_FALSE(this->Model()->CurrentStudy()->volume.isPreview);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !isPreview(); }, MostMilliseconds));
+  ChooseMemoryGigabytes(0);
   EXPECT_EQ(this->Model()->CurrentScene().measures.size(), 1u);
   const Answers discard(QMessageBox::Discard, {});
   this->window.close();

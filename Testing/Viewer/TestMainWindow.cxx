@@ -39,7 +39,7 @@ TEST_F(Window, KeepsTheVolumeWhenAFileIsBad)
   this->OpenTorso();
   const auto study = this->Model()->CurrentStudy();
   std::ofstream(this->Path("bad.nrrd").toStdString()) << "NRRD0004\ntype: nonsense\n\n";
-  QSignalSpy failed(this->window.Loader(), &VolumeLoader::Failed);
+  QSignalSpy failed(this->window.Loader(), &LoadController::Failed);
   this->window.Open(this->Path("bad.nrrd"));
   ASSERT_TRUE(failed.wait(MostMilliseconds));
   EXPECT_EQ(this->Model()->CurrentStudy(), study);

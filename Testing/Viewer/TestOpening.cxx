@@ -265,7 +265,7 @@ TEST_F(Opening, KeepsPatientDataOutOfTheLog)
   ASSERT_TRUE(picker);
   QTest::keyClick(picker->findChild<QListWidget*>(), Qt::Key_Return);
   ASSERT_TRUE(this->IsOpened());
-  QSignalSpy failed(this->window.Loader(), &VolumeLoader::Failed);
+  QSignalSpy failed(this->window.Loader(), &LoadController::Failed);
   this->folder.Write("DOE^JANE.nrrd", "NRRD0004\ntype: nonsense\n\n");
   this->Open("DOE^JANE.nrrd");
   ASSERT_TRUE(failed.wait(MostMilliseconds));

@@ -91,7 +91,7 @@ TEST_F(RandomUse, SurvivesRandomActions)
   this->OpenTorso();
   std::string beginning = TextOf(this->Model());
   const QObject opening;
-  QObject::connect(this->window.Loader(), &VolumeLoader::Loaded, &opening,
+  QObject::connect(this->window.Loader(), &LoadController::Opened, &opening,
     [&]
     {
       // A further scan is a step.

@@ -107,7 +107,7 @@ TEST_F(Rectifying, StaysAsScannedWhenRectifyingIsCancelled)
   this->WriteTiltedSeries();
   this->Open("tilted");
   ASSERT_TRUE(this->IsOpened());
-  QSignalSpy cancelled(this->window.Loader(), &VolumeLoader::Cancelled);
+  QSignalSpy cancelled(this->window.Loader(), &LoadController::Cancelled);
   this->Remedy()->click();
   this->window.Loader()->Cancel();
   ASSERT_TRUE(cancelled.wait(MostMilliseconds));

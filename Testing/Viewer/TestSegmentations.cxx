@@ -190,9 +190,8 @@ TEST_F(Segmentations, OfAnotherPlaceAreRefusedInASentence)
   LoadedVolume labels = LabelsOf(torso.image);
   labels.image->SetOrigin(5000.0, 0.0, 0.0);
   WriteVolume(labels, this->Path("far.nrrd").toStdString());
-  QSignalSpy failed(this->window.Loader(), &VolumeLoader::Failed);
-  this->window.Loader()->LoadLabels(
-    { this->Path("far.nrrd").toStdString() }, this->Model()->CurrentStudy());
+  QSignalSpy failed(this->window.Loader(), &LoadController::Failed);
+  this->window.Loader()->StartLabels({ this->Path("far.nrrd").toStdString() }, 0);
   ASSERT_TRUE(failed.wait(MostMilliseconds));
   const QString reason = failed.first().first().toString();
   EXPECT_TRUE(reason.contains("far.nrrd") && reason.contains("choose")) << reason.toStdString();

@@ -326,4 +326,28 @@ void Autosave::SaveScene()
   }
 }
 
+QString SavedWork::CurrentWork() const
+{
+  const auto study = this->model->CurrentStudy();
+  if (!study)
+  {
+    return {};
+  }
+  const bool hasUnsaved = this->model->VolumeWithUnsavedLabels().has_value();
+  return WorkText(this->model->CurrentScene(), *study) +
+    (hasUnsaved ? QStringLiteral("voxels") : QString());
+}
+
+void SavedWork::ForgetAutosavedFiles(Scene& scene) const
+{
+  for (int volume = 0; volume < VolumeCount(scene); ++volume)
+  {
+    auto& labels = SceneLabelsOf(scene, volume);
+    if (labels && this->autosave->IsSegmentsPath(labels->path))
+    {
+      labels->path.clear();
+    }
+  }
+}
+
 }

@@ -83,6 +83,35 @@ private:
   std::array<SavedLabels, MostVolumes> saved;
 };
 
+/// Knows whether the user's work on what is shown is in a file.
+class SavedWork
+{
+public:
+  SavedWork(const SceneModel* model, const Autosave* autosave)
+    : model(model)
+    , autosave(autosave)
+  {
+  }
+
+  /// True also if there is no work.
+  bool IsSaved() const { return this->CurrentWork() == this->saved; }
+  /// Notes that the work is in a file now, or that nothing has been done yet.
+  void TakeAsSaved() { this->saved = this->CurrentWork(); }
+  /// Notes that the work is in no file.
+  void TakeAsUnsaved() { this->saved.clear(); }
+
+  /// Segments that were restored from the autosaved copy, which goes, are in no file.
+  void ForgetAutosavedFiles(Scene& scene) const;
+
+private:
+  /// See WorkText; empty without a volume.
+  QString CurrentWork() const;
+
+  const SceneModel* model;
+  const Autosave* autosave;
+  QString saved; ///< the work that is in a file
+};
+
 }
 
 #endif

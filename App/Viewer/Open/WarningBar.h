@@ -1,10 +1,15 @@
 #ifndef Varimarch_Viewer_WarningBar_h
 #define Varimarch_Viewer_WarningBar_h
 
+#include "Viewer/Model/BackgroundTask.h"
+#include "Viewer/Model/SceneModel.h"
+
 #include <QFrame>
 #include <QStringList>
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 class QLabel;
@@ -12,10 +17,6 @@ class QPushButton;
 
 namespace varimarch
 {
-
-struct LabelGuard;
-struct Scene;
-struct Study;
 
 /// A warning about one of the volumes of a scene, or about its labels.
 struct ScanWarning
@@ -34,34 +35,43 @@ struct ScanWarning
   }
 };
 
-/// A bar above the views with warnings about the current volume. It stays until the user closes it
-/// or another volume is opened.
+/// The DICOM series that an image belongs to, with the images beside it.
+struct WholeSeries
+{
+  std::string folder;
+  std::string uid;
+  int imageCount; ///< at least two
+};
+
+/// A bar above the views with warnings about the volumes of a model, and a button for what can be
+/// done about them. It stays until the user closes it or another volume is opened.
 class WarningBar : public QFrame
 {
   Q_OBJECT
 
 public:
-  explicit WarningBar(QWidget* parent = nullptr);
+  explicit WarningBar(SceneModel* model, QWidget* parent = nullptr);
 
-  /// The warnings of all volumes and their labels.
-  static std::vector<ScanWarning> WarningsOf(const Scene& scene, const Study& study);
-
-  /// Opens the bar with warnings; hides it if there are none.
-  /// @param remedy  label of a button beside them; empty: no button
-  void Show(const std::vector<ScanWarning>& warnings, const QString& remedy);
-
-  /// The same, but a bar that the user has closed stays closed, unless one of the warnings is new.
-  void Update(const std::vector<ScanWarning>& warnings, const QString& remedy);
+  /// Looks, in a thread, for the series that a single image belongs to, which may lie beside it,
+  /// and offers it.
+  void LookForSeries(const VolumeSource& source);
 
   /// The texts that were shown last, also after the user closed the bar.
   QStringList Texts() const;
 
 signals:
-  void RemedyWanted();
+  /// The user wants to see the scan rectified, or as scanned.
+  void OtherFormWanted();
+  /// @param series  digest of the DICOM series
+  void SeriesWanted(const QString& folder, const QString& series);
 
 private:
-  void SetWarnings(const std::vector<ScanWarning>& warnings, const QString& remedy);
+  void Show(bool isNewVolume);
+  void TakeRemedy();
 
+  SceneModel* model;
+  BackgroundTask seriesSearch;
+  std::optional<WholeSeries> wholeSeries; ///< belongs to the single image that is shown
   std::vector<ScanWarning> shown;
   QLabel* text;
   QPushButton* remedy;

@@ -1,6 +1,8 @@
 #include "Viewer/Panels/VolumesPanel.h"
 
+#include "Registration/RigidRegistration.h"
 #include "Scene/SceneVolumes.h"
+#include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Panels/NumberSlider.h"
 
 #include <QComboBox>
@@ -11,6 +13,8 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMessageBox>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -179,8 +183,7 @@ QWidget* VolumesPanel::MakePlace()
   auto* const fit = new QPushButton(tr("Register"));
   fit->setObjectName("register");
   fit->setToolTip(tr("Finds the place where the volume fits the first one best, as a rigid body"));
-  connect(
-    fit, &QPushButton::clicked, this, [this] { emit this->RegistrationWanted(this->Selected()); });
+  connect(fit, &QPushButton::clicked, this, [this] { this->Register(this->Selected()); });
   grid->addWidget(reset, 4, 0, 1, 4);
   grid->addWidget(fit, 4, 4, 1, 2);
   return this->place;
@@ -326,6 +329,50 @@ void VolumesPanel::Edit(
   this->model->Edit(
     ScenePart::Overlays, step,
     [&, selected = this->Selected()](Scene& scene) { change(scene.overlays[selected]); }, gesture);
+}
+
+// The dialog is modal to the window, so only a scan that was being loaded before can change the
+// volumes meanwhile. A cancelled QProgressDialog only hides, and the next progress shows it again;
+// so it is deleted.
+void VolumesPanel::Register(int overlay)
+{
+  auto* const waiting =
+    new QProgressDialog(tr("Registering"), tr("Cancel"), 0, 100, this->window());
+  waiting->setObjectName("registering");
+  waiting->setWindowModality(Qt::WindowModal);
+  waiting->setAutoClose(false);
+  waiting->setAutoReset(false);
+  waiting->setMinimumDuration(0);
+  waiting->setValue(0);
+  auto* const task = new BackgroundTask(waiting);
+  connect(waiting, &QProgressDialog::canceled, waiting,
+    [waiting, task]
+    {
+      task->Cancel();
+      waiting->deleteLater();
+    });
+  connect(task, &BackgroundTask::Progress, waiting,
+    [waiting](double part) { waiting->setValue(int(100.0 * part)); });
+  connect(task, &BackgroundTask::Failed, this,
+    [this, waiting](const QString& reason)
+    {
+      waiting->close();
+      QMessageBox::warning(this->window(), tr("Cannot register"), reason);
+    });
+  const auto study = this->model->CurrentStudy();
+  const Placement start = this->model->CurrentScene().overlays[overlay].placement;
+  task->Start([=, moving = study->overlays[overlay]](const TaskProgress& progress)
+    { return RegisteredPlacement(study->volume.image, moving->volume.image, start, progress); },
+    [=](const Placement& found)
+    {
+      waiting->close();
+      if (this->model->CurrentStudy() == study)
+      {
+        this->model->Edit(ScenePart::Overlays, tr("register a volume"),
+          [&](Scene& scene) { scene.overlays[overlay].placement = found; });
+        emit this->Registered();
+      }
+    });
 }
 
 }

@@ -36,8 +36,8 @@ public:
 
 signals:
   void AddWanted();
-  /// @param overlay  the index in the scene's overlays
-  void RegistrationWanted(int overlay);
+  /// A volume has been registered with the first one.
+  void Registered();
 
 private:
   QWidget* MakeButtons();
@@ -52,6 +52,8 @@ private:
   void ConnectPlace(const QDoubleSpinBox* box, std::array<double, 3> Placement::*part, int axis);
   void Move(int step);
   void Remove();
+  /// Looks, in a thread, for the place of an overlay over the first volume.
+  void Register(int overlay);
   void Edit(const QString& step, const std::function<void(OverlaidVolume&)>& change,
     int gesture = SceneModel::NoGesture);
 

@@ -1770,6 +1770,93 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::ExportActions</name>
+    <message>
+        <source>Export an &amp;image…</source>
+        <translation>&amp;Bild exportieren…</translation>
+    </message>
+    <message>
+        <source>Send the i&amp;mage to an archive…</source>
+        <translation>Bild an ein Archiv se&amp;nden…</translation>
+    </message>
+    <message>
+        <source>Export a &amp;turntable…</source>
+        <translation>&amp;Drehung exportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Export the times…</source>
+        <translation>Zeit&amp;punkte exportieren…</translation>
+    </message>
+    <message>
+        <source>Export a re&amp;port…</source>
+        <translation>Ber&amp;icht exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the &amp;cuts…</source>
+        <translation>S&amp;chnitte exportieren…</translation>
+    </message>
+    <message>
+        <source>Export a cha&amp;nge of the look from</source>
+        <translation>&amp;Wechsel der Darstellung exportieren von</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>Export nicht möglich</translation>
+    </message>
+    <message>
+        <source>Export a turntable</source>
+        <translation>Drehung exportieren</translation>
+    </message>
+    <message>
+        <source>Rendering the turntable</source>
+        <translation>Eine Drehung wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Export the times</source>
+        <translation>Zeitpunkte exportieren</translation>
+    </message>
+    <message>
+        <source>Rendering the times</source>
+        <translation>Die Zeitpunkte werden berechnet</translation>
+    </message>
+    <message>
+        <source>An added scan stays at the time before, since another could not be read: %1</source>
+        <translation>Eine hinzugefügte Aufnahme bleibt beim vorherigen Zeitpunkt, weil ein anderer nicht gelesen werden konnte: %1</translation>
+    </message>
+    <message>
+        <source>Export a report</source>
+        <translation>Bericht exportieren</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Export the cuts</source>
+        <translation>Schnitte exportieren</translation>
+    </message>
+    <message>
+        <source>Rendering the cuts</source>
+        <translation>Die Schnitte werden berechnet</translation>
+    </message>
+    <message>
+        <source>Export a change of the look</source>
+        <translation>Wechsel der Darstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Rendering the change</source>
+        <translation>Der Wechsel wird berechnet</translation>
+    </message>
+    <message>
+        <source>The current look cannot change: it is no composite, or has regions</source>
+        <translation>Die jetzige Darstellung kann nicht wechseln: Sie ist keine Überlagerung oder hat Bereiche</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::ExportDialog</name>
     <message>
         <source>Transparent background (PNG)</source>
@@ -1864,6 +1951,121 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     <message>
         <source>per mm</source>
         <translation>je mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::HelpActions</name>
+    <message>
+        <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
+        <translation>&lt;b&gt;Nicht für die Diagnose.&lt;/b&gt; Dieses Programm ist kein Medizinprodukt. Es darf nicht verwendet werden, um zu diagnostizieren oder eine Behandlung zu planen oder zu leiten.</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Be&amp;fehl suchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Two-minute tour</source>
+        <translation>&amp;Rundgang in zwei Minuten</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Open the l&amp;og folder</source>
+        <translation>Ordner des &amp;Protokolls öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;About Varimarch</source>
+        <translation>Ü&amp;ber Varimarch</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>I understand</source>
+        <translation>Ich habe verstanden</translation>
+    </message>
+    <message>
+        <source>As on the &amp;desktop</source>
+        <translation>Wie auf dem &amp;Schreibtisch</translation>
+    </message>
+    <message>
+        <source>The program will use the desktop&apos;s language after a restart</source>
+        <translation>Das Programm verwendet nach einem Neustart die Sprache des Schreibtischs</translation>
+    </message>
+    <message>
+        <source>The program will use %1 after a restart</source>
+        <translation>Das Programm verwendet nach einem Neustart %1</translation>
+    </message>
+    <message>
+        <source>The volume</source>
+        <translation>Das Volumen</translation>
+    </message>
+    <message>
+        <source>Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to come nearer. A double-click shows it alone, another one all views again.</source>
+        <translation>Ziehen dreht es, Ziehen mit Umschalt oder der mittleren Taste verschiebt es, und das Rad holt es näher. Ein Doppelklick zeigt es allein, ein weiterer wieder alle Ansichten.</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and drag with the right button for brightness and contrast. Number keys choose a usual window.</source>
+        <translation>Das Rad blättert durch die Schnitte. Das Fadenkreuz zu ziehen bewegt alle drei, seine Arme kippen sie, und Ziehen mit der rechten Taste ändert Helligkeit und Kontrast. Zifferntasten wählen ein übliches Fenster.</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Darstellungen</translation>
+    </message>
+    <message>
+        <source>Each image is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
+        <translation>Jedes Bild ist diese Aufnahme in einer anderen Darstellung. Ein Klick wählt sie; Strg+Z nimmt sie zurück, wie jede Änderung.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>The curve says how opaque each value is, over the histogram of the scan. Drag its points, click to add one, and double-click a point for its numbers.</source>
+        <translation>Die Kurve sagt, wie undurchsichtig jeder Wert ist, über dem Histogramm der Aufnahme. Ihre Punkte lassen sich ziehen, ein Klick fügt einen hinzu, ein Doppelklick zeigt seine Zahlen.</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Remove the table with one click, drag a box or a plane in the volume, or cut with the scissors of the tool bar.</source>
+        <translation>Den Tisch mit einem Klick entfernen, einen Quader oder eine Ebene im Volumen ziehen, oder mit der Schere der Werkzeugleiste schneiden.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here and in reports.</source>
+        <translation>Eine Messung in der Werkzeugleiste wählen und in einem Schnitt oder im Volumen ziehen. Alle stehen hier in einer Liste und in Berichten.</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Alles andere</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
+        <translation>Strg+K findet jeden Befehl durch ein Wort, und F1 zeigt, was Maus und Tasten tun. Das Menü Datei speichert Sitzungen, Bilder und Berichte.</translation>
+    </message>
+    <message>
+        <source>About Varimarch</source>
+        <translation>Über Varimarch</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Shows CT and MR volumes with a promised error.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Zeigt CT- und MR-Volumen mit einem zugesagten Fehler.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -2096,6 +2298,33 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::LoadController</name>
+    <message>
+        <source>There is not enough memory for this volume.</source>
+        <translation>Für dieses Volumen reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>open a segmentation</source>
+        <translation>Segmentierung öffnen</translation>
+    </message>
+    <message>
+        <source>rectify slices</source>
+        <translation>Schichten entzerren</translation>
+    </message>
+    <message>
+        <source>show slices as scanned</source>
+        <translation>Schichten wie aufgenommen</translation>
+    </message>
+    <message>
+        <source>At most %1 scans are drawn at once: remove one of them, and add the scan again</source>
+        <translation>Höchstens %1 Aufnahmen werden zugleich gezeichnet: Entfernen Sie eine davon, und fügen Sie die Aufnahme erneut hinzu</translation>
+    </message>
+    <message>
+        <source>add a scan</source>
+        <translation>Aufnahme hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::LookPanel</name>
     <message>
         <source>Preset</source>
@@ -2180,56 +2409,12 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
 <context>
     <name>varimarch::MainWindow</name>
     <message>
-        <source>There is no file to open: its name is empty.</source>
-        <translation>Es gibt keine Datei zu öffnen: Ihr Name ist leer.</translation>
-    </message>
-    <message>
         <source>Varimarch, not for diagnostic use</source>
         <translation>Varimarch, nicht für die Diagnose</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; does not answer: its disk or the network may be gone. Try again later.</source>
-        <translation>„%1“ antwortet nicht: Der Datenträger oder das Netz ist vielleicht weg. Versuchen Sie es später noch einmal.</translation>
-    </message>
-    <message>
-        <source>A coarse copy is shown until the volume has been read for the first time</source>
-        <translation>Eine grobe Kopie ist zu sehen, bis das Volumen zum ersten Mal gelesen ist</translation>
-    </message>
-    <message>
-        <source>Loading was cancelled</source>
-        <translation>Das Laden wurde abgebrochen</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a &amp;folder…</source>
-        <translation>&amp;Ordner öffnen…</translation>
-    </message>
-    <message>
-        <source>Open a ra&amp;w file…</source>
-        <translation>&amp;Rohdatei öffnen…</translation>
-    </message>
-    <message>
-        <source>&amp;Recent scans</source>
-        <translation>&amp;Letzte Aufnahmen</translation>
-    </message>
-    <message>
-        <source>&amp;Save the session…</source>
-        <translation>Sitzung &amp;speichern…</translation>
-    </message>
-    <message>
-        <source>Export an &amp;image…</source>
-        <translation>&amp;Bild exportieren…</translation>
-    </message>
-    <message>
-        <source>Export a &amp;turntable…</source>
-        <translation>&amp;Drehung exportieren…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -2284,68 +2469,8 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
         <translation>Aufnahme öffnen oder hier ablegen</translation>
     </message>
     <message>
-        <source>Volumes (%1)</source>
-        <translation>Volumen (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Loading %1</source>
-        <translation>%1 wird geladen</translation>
-    </message>
-    <message>
-        <source>Save the session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
-        <source>Sessions (*.json)</source>
-        <translation>Sitzungen (*.json)</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>Cannot save</source>
-        <translation>Speichern nicht möglich</translation>
-    </message>
-    <message>
-        <source>Varimarch</source>
-        <translation>Varimarch</translation>
-    </message>
-    <message>
-        <source>The program ended unexpectedly last time. Restore your session?</source>
-        <translation>Das Programm wurde zuletzt unerwartet beendet. Die Sitzung wiederherstellen?</translation>
-    </message>
-    <message>
-        <source>Open a volume</source>
-        <translation>Volumen öffnen</translation>
-    </message>
-    <message>
-        <source>Open a folder of DICOM files</source>
-        <translation>Ordner mit DICOM-Dateien öffnen</translation>
-    </message>
-    <message>
-        <source>Open a raw file</source>
-        <translation>Rohdatei öffnen</translation>
-    </message>
-    <message>
-        <source>Export a turntable</source>
-        <translation>Drehung exportieren</translation>
-    </message>
-    <message>
-        <source>Rendering the turntable</source>
-        <translation>Eine Drehung wird gezeichnet</translation>
-    </message>
-    <message>
-        <source>Cannot export</source>
-        <translation>Export nicht möglich</translation>
-    </message>
-    <message>
-        <source>Look &quot;%1&quot;: %2. Press R to restore it.</source>
-        <translation>Darstellung „%1“: %2. R stellt sie wieder her.</translation>
     </message>
     <message>
         <source>Graphics card</source>
@@ -2360,360 +2485,28 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
         <translation>Die Grafikkarte wurde erneut zurückgesetzt, bevor sie ein Bild gezeichnet hatte; speichern Sie die Sitzung und starten Sie das Programm neu, mit einem anderen Treiber, oder mit LIBGL_ALWAYS_SOFTWARE=1, um ohne die Karte zu zeichnen.</translation>
     </message>
     <message>
-        <source>Cannot open</source>
-        <translation>Öffnen nicht möglich</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>Liste leeren</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
-        <translation>&lt;b&gt;Nicht für die Diagnose.&lt;/b&gt; Dieses Programm ist kein Medizinprodukt. Es darf nicht verwendet werden, um zu diagnostizieren oder eine Behandlung zu planen oder zu leiten.</translation>
-    </message>
-    <message>
-        <source>I understand</source>
-        <translation>Ich habe verstanden</translation>
-    </message>
-    <message>
-        <source>As on the &amp;desktop</source>
-        <translation>Wie auf dem &amp;Schreibtisch</translation>
-    </message>
-    <message>
-        <source>The program will use the desktop&apos;s language after a restart</source>
-        <translation>Das Programm verwendet nach einem Neustart die Sprache des Schreibtischs</translation>
-    </message>
-    <message>
-        <source>The program will use %1 after a restart</source>
-        <translation>Das Programm verwendet nach einem Neustart %1</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Sprache</translation>
-    </message>
-    <message>
-        <source>&amp;About Varimarch</source>
-        <translation>Ü&amp;ber Varimarch</translation>
-    </message>
-    <message>
-        <source>About Varimarch</source>
-        <translation>Über Varimarch</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Shows CT and MR volumes with a promised error.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Zeigt CT- und MR-Volumen mit einem zugesagten Fehler.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
-        <translation>Quer ziehen für das Fenster, auf und ab für die Mitte; auch Strg und ziehen</translation>
-    </message>
-    <message>
-        <source>&amp;Distance</source>
-        <translation>&amp;Strecke</translation>
-    </message>
-    <message>
-        <source>Drag from one point to another</source>
-        <translation>Von einem Punkt zu einem anderen ziehen</translation>
-    </message>
-    <message>
-        <source>&amp;Angle</source>
-        <translation>&amp;Winkel</translation>
-    </message>
-    <message>
-        <source>Drag from the end of one arm to the vertex, then press at the end of the other</source>
-        <translation>Vom Ende eines Schenkels zum Scheitel ziehen, dann am Ende des anderen drücken</translation>
-    </message>
-    <message>
-        <source>B&amp;ox</source>
-        <translation>&amp;Quader</translation>
-    </message>
-    <message>
-        <source>Drag from corner to corner: mean, deviation, volume</source>
-        <translation>Von Ecke zu Ecke ziehen: Mittel, Streuung, Volumen</translation>
-    </message>
-    <message>
-        <source>Draw around the part to remove</source>
-        <translation>Den Teil umfahren, der weg soll</translation>
-    </message>
-    <message>
-        <source>Draw around the part to keep</source>
-        <translation>Den Teil umfahren, der bleiben soll</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>&amp;No comparison</source>
-        <translation>&amp;Kein Vergleich</translation>
-    </message>
-    <message>
-        <source>Compare with VTK&apos;s &amp;GPU mapper</source>
-        <translation>Mit VTKs &amp;GPU-Mapper vergleichen</translation>
-    </message>
-    <message>
-        <source>Both images in one place, with a divider to drag</source>
-        <translation>Beide Bilder an einem Ort, mit einer Trennlinie zum Ziehen</translation>
-    </message>
-    <message>
-        <source>Export a report</source>
-        <translation>Bericht exportieren</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Rectify</source>
-        <translation>Entzerren</translation>
-    </message>
-    <message>
-        <source>Show as scanned</source>
-        <translation>Wie aufgenommen zeigen</translation>
-    </message>
-    <message>
-        <source>rectify slices</source>
-        <translation>Schichten entzerren</translation>
-    </message>
-    <message>
-        <source>show slices as scanned</source>
-        <translation>Schichten wie aufgenommen</translation>
-    </message>
-    <message>
-        <source>Export a re&amp;port…</source>
-        <translation>Ber&amp;icht exportieren…</translation>
     </message>
     <message>
         <source>&amp;Reset layout</source>
         <translation>&amp;Anordnung zurücksetzen</translation>
     </message>
     <message>
-        <source>Open the l&amp;og folder</source>
-        <translation>Ordner des &amp;Protokolls öffnen</translation>
-    </message>
-    <message>
-        <source>Tool bar</source>
-        <translation>Werkzeugleiste</translation>
-    </message>
-    <message>
-        <source>Compare with VTK&apos;s CP&amp;U mapper</source>
-        <translation>Mit VTKs CP&amp;U-Mapper vergleichen</translation>
-    </message>
-    <message>
-        <source>Benc&amp;hmark…</source>
-        <translation>&amp;Leistungsvergleich…</translation>
-    </message>
-    <message>
-        <source>Open a se&amp;gmentation…</source>
-        <translation>Se&amp;gmentierung öffnen…</translation>
-    </message>
-    <message>
         <source>Segments</source>
         <translation>Segmente</translation>
-    </message>
-    <message>
-        <source>Open a segmentation of this scan</source>
-        <translation>Segmentierung dieser Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>open a segmentation</source>
-        <translation>Segmentierung öffnen</translation>
-    </message>
-    <message>
-        <source>Segments: %1</source>
-        <translation>Segmente: %1</translation>
-    </message>
-    <message>
-        <source>This file may be a segmentation of the scan that is shown: it lies in the same place, and has %1 different whole values. Show it as segments of the scan?</source>
-        <translation>Diese Datei kann eine Segmentierung der gezeigten Aufnahme sein: sie liegt am selben Ort und hat %1 verschiedene ganze Werte. Als Segmente der Aufnahme zeigen?</translation>
-    </message>
-    <message>
-        <source>Show as segments</source>
-        <translation>Als Segmente zeigen</translation>
-    </message>
-    <message>
-        <source>Open as a scan</source>
-        <translation>Als Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>Beside the scan the folder holds a segmentation. Show its segments?</source>
-        <translation>Neben der Aufnahme enthält der Ordner eine Segmentierung. Ihre Segmente zeigen?</translation>
-    </message>
-    <message>
-        <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
-        <translation>Ihre Messungen, Schnitte, Darstellung und Segmente sind nicht gespeichert. Sitzung speichern?</translation>
     </message>
     <message>
         <source>Lights</source>
         <translation>Lichter</translation>
     </message>
     <message>
-        <source>Memor&amp;y for volumes</source>
-        <translation>Arbeitsspeicher für &amp;Volumen</translation>
-    </message>
-    <message>
-        <source>&amp;All of the computer&apos;s</source>
-        <translation>&amp;Aller dieses Rechners</translation>
-    </message>
-    <message>
-        <source>%1 GB</source>
-        <translation>%1 GB</translation>
-    </message>
-    <message>
-        <source>The next volume is read within this memory</source>
-        <translation>Das nächste Volumen wird innerhalb dieses Speichers gelesen</translation>
-    </message>
-    <message>
-        <source>&amp;Ask for a scan at start</source>
-        <translation>Beim Start nach einer &amp;Aufnahme fragen</translation>
-    </message>
-    <message>
-        <source>&amp;Find a command…</source>
-        <translation>Be&amp;fehl suchen…</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and keys</source>
-        <translation>&amp;Maus und Tasten</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
-        <translation>&amp;Drehen</translation>
-    </message>
-    <message>
-        <source>Drag to rotate the volume</source>
-        <translation>Ziehen dreht das Volumen</translation>
-    </message>
-    <message>
-        <source>&amp;Window/Level</source>
-        <translation>&amp;Fenster/Mitte</translation>
-    </message>
-    <message>
-        <source>&amp;Scissors</source>
-        <translation>S&amp;chere</translation>
-    </message>
-    <message>
-        <source>&amp;Keep inside</source>
-        <translation>Inneres &amp;behalten</translation>
-    </message>
-    <message>
-        <source>W&amp;ipe between them</source>
-        <translation>Da&amp;zwischen wischen</translation>
-    </message>
-    <message>
-        <source>Wa&amp;lk</source>
-        <translation>Ge&amp;hen</translation>
-    </message>
-    <message>
-        <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
-        <translation>Durch das Volumen gehen: W, A, S, D oder Pfeiltasten, E und Q; Ziehen blickt umher</translation>
-    </message>
-    <message>
-        <source>A&amp;dd a scan…</source>
-        <translation>Aufnahme hin&amp;zufügen…</translation>
-    </message>
-    <message>
         <source>Volumes</source>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>Add a scan</source>
-        <translation>Aufnahme hinzufügen</translation>
-    </message>
-    <message>
-        <source>Where is the scan to draw over the one that is shown?</source>
-        <translation>Wo liegt die Aufnahme, die über die gezeigte gezeichnet werden soll?</translation>
-    </message>
-    <message>
-        <source>At most %1 scans are drawn at once: remove one of them, and add the scan again</source>
-        <translation>Höchstens %1 Aufnahmen werden zugleich gezeichnet: Entfernen Sie eine davon, und fügen Sie die Aufnahme erneut hinzu</translation>
-    </message>
-    <message>
-        <source>In a file…</source>
-        <translation>In einer Datei…</translation>
-    </message>
-    <message>
-        <source>In a folder of DICOM files…</source>
-        <translation>In einem Ordner mit DICOM-Dateien…</translation>
-    </message>
-    <message>
-        <source>add a scan</source>
-        <translation>Aufnahme hinzufügen</translation>
-    </message>
-    <message>
-        <source>Added %1; the look panels now change it</source>
-        <translation>%1 hinzugefügt; die Felder für das Aussehen ändern jetzt dieses Volumen</translation>
-    </message>
-    <message>
-        <source>The two scans have different frames of reference: they may not fit on each other. Check their place in the slices, and move or register the added one.</source>
-        <translation>Die beiden Aufnahmen haben verschiedene Bezugssysteme: sie passen vielleicht nicht aufeinander. Prüfen Sie ihre Lage in den Schichten, und verschieben oder registrieren Sie die hinzugefügte.</translation>
-    </message>
-    <message>
-        <source>The files do not say whether the two scans are in the same space. They are placed by their coordinates: check that in the slices, and move or register the added one.</source>
-        <translation>Die Dateien sagen nicht, ob die beiden Aufnahmen im selben Raum liegen. Sie liegen nach ihren Koordinaten: prüfen Sie das in den Schichten, und verschieben oder registrieren Sie die hinzugefügte.</translation>
-    </message>
-    <message>
-        <source>Registering</source>
-        <translation>Registrierung</translation>
-    </message>
-    <message>
-        <source>Cannot register</source>
-        <translation>Registrierung nicht möglich</translation>
-    </message>
-    <message>
-        <source>register a volume</source>
-        <translation>Volumen registrieren</translation>
-    </message>
-    <message>
         <source>Registered; compare the volumes in the slices before you trust it</source>
         <translation>Registriert; vergleichen Sie die Volumen in den Schichten, bevor Sie sich darauf verlassen</translation>
-    </message>
-    <message>
-        <source>Save the segmentation</source>
-        <translation>Segmentierung speichern</translation>
-    </message>
-    <message>
-        <source>Segmentation of 3D Slicer (*.seg.nrrd)</source>
-        <translation>Segmentierung von 3D Slicer (*.seg.nrrd)</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii.gz)</source>
-        <translation>NIfTI (*.nii.gz)</translation>
-    </message>
-    <message>
-        <source>save the segmentation</source>
-        <translation>Segmentierung speichern</translation>
-    </message>
-    <message>
-        <source>Send the i&amp;mage to an archive…</source>
-        <translation>Bild an ein Archiv se&amp;nden…</translation>
-    </message>
-    <message>
-        <source>St&amp;udy list…</source>
-        <translation>St&amp;udienliste…</translation>
-    </message>
-    <message>
-        <source>Arc&amp;hive (PACS)…</source>
-        <translation>Arc&amp;hiv (PACS)…</translation>
-    </message>
-    <message>
-        <source>DICOM attri&amp;butes…</source>
-        <translation>DICOM-A&amp;ttribute…</translation>
-    </message>
-    <message>
-        <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
-        <translation>Diese Aufnahme stammt aus einem Archiv und wird am Ende gelöscht; eine Sitzung fände sie nicht wieder. Holen Sie sie zuerst mit „Behalten in…“.</translation>
-    </message>
-    <message>
-        <source>DICOM segmentation (*.dcm)</source>
-        <translation>DICOM-Segmentierung (*.dcm)</translation>
     </message>
     <message>
         <source>Axial slice</source>
@@ -2728,192 +2521,12 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
         <translation>Sagittale Schicht</translation>
     </message>
     <message>
-        <source>&amp;Export the times…</source>
-        <translation>Zeit&amp;punkte exportieren…</translation>
-    </message>
-    <message>
         <source>Along the curve</source>
         <translation>Entlang der Kurve</translation>
     </message>
     <message>
-        <source>Export the times</source>
-        <translation>Zeitpunkte exportieren</translation>
-    </message>
-    <message>
-        <source>Rendering the times</source>
-        <translation>Die Zeitpunkte werden berechnet</translation>
-    </message>
-    <message>
-        <source>An added scan stays at the time before, since another could not be read: %1</source>
-        <translation>Eine hinzugefügte Aufnahme bleibt beim vorherigen Zeitpunkt, weil ein anderer nicht gelesen werden konnte: %1</translation>
-    </message>
-    <message>
-        <source>Export the cuts</source>
-        <translation>Schnitte exportieren</translation>
-    </message>
-    <message>
-        <source>Rendering the cuts</source>
-        <translation>Die Schnitte werden berechnet</translation>
-    </message>
-    <message>
-        <source>Export a change of the look</source>
-        <translation>Wechsel der Darstellung exportieren</translation>
-    </message>
-    <message>
-        <source>Rendering the change</source>
-        <translation>Der Wechsel wird berechnet</translation>
-    </message>
-    <message>
-        <source>The current look cannot change: it is no composite, or has regions</source>
-        <translation>Die jetzige Darstellung kann nicht wechseln: Sie ist keine Überlagerung oder hat Bereiche</translation>
-    </message>
-    <message>
-        <source>Export the &amp;cuts…</source>
-        <translation>S&amp;chnitte exportieren…</translation>
-    </message>
-    <message>
-        <source>Export a cha&amp;nge of the look from</source>
-        <translation>&amp;Wechsel der Darstellung exportieren von</translation>
-    </message>
-    <message>
-        <source>&amp;Mark a key image</source>
-        <translation>Schlüsselbild &amp;merken</translation>
-    </message>
-    <message>
-        <source>Annotate</source>
-        <translation>Beschriften</translation>
-    </message>
-    <message>
-        <source>Cobb angles, regions, curves, arrows and texts</source>
-        <translation>Cobb-Winkel, Regionen, Kurven, Pfeile und Texte</translation>
-    </message>
-    <message>
-        <source>Anno&amp;tate</source>
-        <translation>Beschrifte&amp;n</translation>
-    </message>
-    <message>
-        <source>&amp;Cobb angle</source>
-        <translation>&amp;Cobb-Winkel</translation>
-    </message>
-    <message>
-        <source>Drag along one line, then another</source>
-        <translation>Eine Linie entlang ziehen, dann eine zweite</translation>
-    </message>
-    <message>
-        <source>&amp;Ellipse</source>
-        <translation>&amp;Ellipse</translation>
-    </message>
-    <message>
-        <source>Drag across a slice: area, mean, deviation, smallest and largest value</source>
-        <translation>Über eine Schicht ziehen: Fläche, Mittelwert, Abweichung, kleinster und größter Wert</translation>
-    </message>
-    <message>
-        <source>&amp;Freehand region</source>
-        <translation>&amp;Freihand-Region</translation>
-    </message>
-    <message>
-        <source>Draw around a region of a slice: area, mean, deviation, smallest and largest value</source>
-        <translation>Eine Region einer Schicht umfahren: Fläche, Mittelwert, Abweichung, kleinster und größter Wert</translation>
-    </message>
-    <message>
-        <source>C&amp;urve</source>
-        <translation>K&amp;urve</translation>
-    </message>
-    <message>
-        <source>Click along a vessel or the jaw: its length, and the volume straightened along it</source>
-        <translation>An einem Gefäß oder dem Kiefer entlang klicken: die Länge, und das Volumen daran begradigt</translation>
-    </message>
-    <message>
-        <source>&amp;Arrow</source>
-        <translation>&amp;Pfeil</translation>
-    </message>
-    <message>
-        <source>Drag to the thing to show, then type</source>
-        <translation>Zu dem ziehen, was gezeigt werden soll, dann tippen</translation>
-    </message>
-    <message>
-        <source>&amp;Text</source>
-        <translation>&amp;Text</translation>
-    </message>
-    <message>
-        <source>Click, then type</source>
-        <translation>Klicken, dann tippen</translation>
-    </message>
-    <message>
         <source>Titles of panels</source>
         <translation>Titel der Bedienfelder</translation>
-    </message>
-    <message>
-        <source>&amp;Kinds of volume in the series</source>
-        <translation>Arten von Volumen in der Serie</translation>
-    </message>
-    <message>
-        <source>Open fi&amp;les as times…</source>
-        <translation>Dateien als Zeitpun&amp;kte öffnen…</translation>
-    </message>
-    <message>
-        <source>Open files as times: choose one of the files whose names differ in a number</source>
-        <translation>Dateien als Zeitpunkte öffnen: eine der Dateien wählen, deren Namen sich in einer Zahl unterscheiden</translation>
-    </message>
-    <message>
-        <source>&amp;Two-minute tour</source>
-        <translation>&amp;Rundgang in zwei Minuten</translation>
-    </message>
-    <message>
-        <source>The volume</source>
-        <translation>Das Volumen</translation>
-    </message>
-    <message>
-        <source>Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to come nearer. A double-click shows it alone, another one all views again.</source>
-        <translation>Ziehen dreht es, Ziehen mit Umschalt oder der mittleren Taste verschiebt es, und das Rad holt es näher. Ein Doppelklick zeigt es allein, ein weiterer wieder alle Ansichten.</translation>
-    </message>
-    <message>
-        <source>Slices</source>
-        <translation>Schnitte</translation>
-    </message>
-    <message>
-        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and drag with the right button for brightness and contrast. Number keys choose a usual window.</source>
-        <translation>Das Rad blättert durch die Schnitte. Das Fadenkreuz zu ziehen bewegt alle drei, seine Arme kippen sie, und Ziehen mit der rechten Taste ändert Helligkeit und Kontrast. Zifferntasten wählen ein übliches Fenster.</translation>
-    </message>
-    <message>
-        <source>Looks</source>
-        <translation>Darstellungen</translation>
-    </message>
-    <message>
-        <source>Each image is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
-        <translation>Jedes Bild ist diese Aufnahme in einer anderen Darstellung. Ein Klick wählt sie; Strg+Z nimmt sie zurück, wie jede Änderung.</translation>
-    </message>
-    <message>
-        <source>Transfer function</source>
-        <translation>Transferfunktion</translation>
-    </message>
-    <message>
-        <source>The curve says how opaque each value is, over the histogram of the scan. Drag its points, click to add one, and double-click a point for its numbers.</source>
-        <translation>Die Kurve sagt, wie undurchsichtig jeder Wert ist, über dem Histogramm der Aufnahme. Ihre Punkte lassen sich ziehen, ein Klick fügt einen hinzu, ein Doppelklick zeigt seine Zahlen.</translation>
-    </message>
-    <message>
-        <source>Remove the table with one click, drag a box or a plane in the volume, or cut with the scissors of the tool bar.</source>
-        <translation>Den Tisch mit einem Klick entfernen, einen Quader oder eine Ebene im Volumen ziehen, oder mit der Schere der Werkzeugleiste schneiden.</translation>
-    </message>
-    <message>
-        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here and in reports.</source>
-        <translation>Eine Messung in der Werkzeugleiste wählen und in einem Schnitt oder im Volumen ziehen. Alle stehen hier in einer Liste und in Berichten.</translation>
-    </message>
-    <message>
-        <source>Everything else</source>
-        <translation>Alles andere</translation>
-    </message>
-    <message>
-        <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
-        <translation>Strg+K findet jeden Befehl durch ein Wort, und F1 zeigt, was Maus und Tasten tun. Das Menü Datei speichert Sitzungen, Bilder und Berichte.</translation>
-    </message>
-    <message>
-        <source>Open all images</source>
-        <translation>Alle Bilder öffnen</translation>
-    </message>
-    <message>
-        <source>This image belongs to a series of %1 images.</source>
-        <translation>Dieses Bild gehört zu einer Serie von %1 Bildern.</translation>
     </message>
 </context>
 <context>
@@ -3028,6 +2641,169 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::OpenActions</name>
+    <message>
+        <source>Volumes (%1)</source>
+        <translation>Volumen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>%1 wird geladen</translation>
+    </message>
+    <message>
+        <source>A coarse copy is shown until the volume has been read for the first time</source>
+        <translation>Eine grobe Kopie ist zu sehen, bis das Volumen zum ersten Mal gelesen ist</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled</source>
+        <translation>Das Laden wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a ra&amp;w file…</source>
+        <translation>&amp;Rohdatei öffnen…</translation>
+    </message>
+    <message>
+        <source>Open fi&amp;les as times…</source>
+        <translation>Dateien als Zeitpun&amp;kte öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Kinds of volume in the series</source>
+        <translation>Arten von Volumen in der Serie</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a scan…</source>
+        <translation>Aufnahme hin&amp;zufügen…</translation>
+    </message>
+    <message>
+        <source>Open a se&amp;gmentation…</source>
+        <translation>Se&amp;gmentierung öffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Ask for a scan at start</source>
+        <translation>Beim Start nach einer &amp;Aufnahme fragen</translation>
+    </message>
+    <message>
+        <source>Memor&amp;y for volumes</source>
+        <translation>Arbeitsspeicher für &amp;Volumen</translation>
+    </message>
+    <message>
+        <source>&amp;All of the computer&apos;s</source>
+        <translation>&amp;Aller dieses Rechners</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>The next volume is read within this memory</source>
+        <translation>Das nächste Volumen wird innerhalb dieses Speichers gelesen</translation>
+    </message>
+    <message>
+        <source>There is no file to open: its name is empty.</source>
+        <translation>Es gibt keine Datei zu öffnen: Ihr Name ist leer.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not answer: its disk or the network may be gone. Try again later.</source>
+        <translation>„%1“ antwortet nicht: Der Datenträger oder das Netz ist vielleicht weg. Versuchen Sie es später noch einmal.</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly last time. Restore your session?</source>
+        <translation>Das Programm wurde zuletzt unerwartet beendet. Die Sitzung wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Volumen öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Ordner mit DICOM-Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>Open files as times: choose one of the files whose names differ in a number</source>
+        <translation>Dateien als Zeitpunkte öffnen: eine der Dateien wählen, deren Namen sich in einer Zahl unterscheiden</translation>
+    </message>
+    <message>
+        <source>Open a raw file</source>
+        <translation>Rohdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Add a scan</source>
+        <translation>Aufnahme hinzufügen</translation>
+    </message>
+    <message>
+        <source>Where is the scan to draw over the one that is shown?</source>
+        <translation>Wo liegt die Aufnahme, die über die gezeigte gezeichnet werden soll?</translation>
+    </message>
+    <message>
+        <source>In a file…</source>
+        <translation>In einer Datei…</translation>
+    </message>
+    <message>
+        <source>In a folder of DICOM files…</source>
+        <translation>In einem Ordner mit DICOM-Dateien…</translation>
+    </message>
+    <message>
+        <source>Open a segmentation of this scan</source>
+        <translation>Segmentierung dieser Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>This file may be a segmentation of the scan that is shown: it lies in the same place, and has %1 different whole values. Show it as segments of the scan?</source>
+        <translation>Diese Datei kann eine Segmentierung der gezeigten Aufnahme sein: sie liegt am selben Ort und hat %1 verschiedene ganze Werte. Als Segmente der Aufnahme zeigen?</translation>
+    </message>
+    <message>
+        <source>Show as segments</source>
+        <translation>Als Segmente zeigen</translation>
+    </message>
+    <message>
+        <source>Open as a scan</source>
+        <translation>Als Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>Beside the scan the folder holds a segmentation. Show its segments?</source>
+        <translation>Neben der Aufnahme enthält der Ordner eine Segmentierung. Ihre Segmente zeigen?</translation>
+    </message>
+    <message>
+        <source>Look &quot;%1&quot;: %2. Press R to restore it.</source>
+        <translation>Darstellung „%1“: %2. R stellt sie wieder her.</translation>
+    </message>
+    <message>
+        <source>Added %1; the look panels now change it</source>
+        <translation>%1 hinzugefügt; die Felder für das Aussehen ändern jetzt dieses Volumen</translation>
+    </message>
+    <message>
+        <source>The two scans have different frames of reference: they may not fit on each other. Check their place in the slices, and move or register the added one.</source>
+        <translation>Die beiden Aufnahmen haben verschiedene Bezugssysteme: sie passen vielleicht nicht aufeinander. Prüfen Sie ihre Lage in den Schichten, und verschieben oder registrieren Sie die hinzugefügte.</translation>
+    </message>
+    <message>
+        <source>The files do not say whether the two scans are in the same space. They are placed by their coordinates: check that in the slices, and move or register the added one.</source>
+        <translation>Die Dateien sagen nicht, ob die beiden Aufnahmen im selben Raum liegen. Sie liegen nach ihren Koordinaten: prüfen Sie das in den Schichten, und verschieben oder registrieren Sie die hinzugefügte.</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segmente: %1</translation>
+    </message>
+    <message>
+        <source>Cannot open</source>
+        <translation>Öffnen nicht möglich</translation>
     </message>
 </context>
 <context>
@@ -3386,6 +3162,84 @@ Erlauben Sie im Menü Datei mehr davon, oder zoomen Sie hinein.</translation>
     <message>
         <source>look of a script</source>
         <translation>Darstellung eines Skripts</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SaveActions</name>
+    <message>
+        <source>&amp;Save the session…</source>
+        <translation>Sitzung &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
+        <translation>Ihre Messungen, Schnitte, Darstellung und Segmente sind nicht gespeichert. Sitzung speichern?</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>Speichern nicht möglich</translation>
+    </message>
+    <message>
+        <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
+        <translation>Diese Aufnahme stammt aus einem Archiv und wird am Ende gelöscht; eine Sitzung fände sie nicht wieder. Holen Sie sie zuerst mit „Behalten in…“.</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>Sitzungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Segmentation of 3D Slicer (*.seg.nrrd)</source>
+        <translation>Segmentierung von 3D Slicer (*.seg.nrrd)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz)</source>
+        <translation>NIfTI (*.nii.gz)</translation>
+    </message>
+    <message>
+        <source>DICOM segmentation (*.dcm)</source>
+        <translation>DICOM-Segmentierung (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Save the segmentation</source>
+        <translation>Segmentierung speichern</translation>
+    </message>
+    <message>
+        <source>save the segmentation</source>
+        <translation>Segmentierung speichern</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ScanLists</name>
+    <message>
+        <source>&amp;Recent scans</source>
+        <translation>&amp;Letzte Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>St&amp;udy list…</source>
+        <translation>St&amp;udienliste…</translation>
+    </message>
+    <message>
+        <source>Arc&amp;hive (PACS)…</source>
+        <translation>Arc&amp;hiv (PACS)…</translation>
+    </message>
+    <message>
+        <source>DICOM attri&amp;butes…</source>
+        <translation>DICOM-A&amp;ttribute…</translation>
     </message>
 </context>
 <context>
@@ -4172,6 +4026,173 @@ ml</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::ToolMenu</name>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Mark a key image</source>
+        <translation>Schlüsselbild &amp;merken</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the volume</source>
+        <translation>Ziehen dreht das Volumen</translation>
+    </message>
+    <message>
+        <source>Wa&amp;lk</source>
+        <translation>Ge&amp;hen</translation>
+    </message>
+    <message>
+        <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
+        <translation>Durch das Volumen gehen: W, A, S, D oder Pfeiltasten, E und Q; Ziehen blickt umher</translation>
+    </message>
+    <message>
+        <source>&amp;Window/Level</source>
+        <translation>&amp;Fenster/Mitte</translation>
+    </message>
+    <message>
+        <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
+        <translation>Quer ziehen für das Fenster, auf und ab für die Mitte; auch Strg und ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Strecke</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another</source>
+        <translation>Von einem Punkt zu einem anderen ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>Drag from the end of one arm to the vertex, then press at the end of the other</source>
+        <translation>Vom Ende eines Schenkels zum Scheitel ziehen, dann am Ende des anderen drücken</translation>
+    </message>
+    <message>
+        <source>B&amp;ox</source>
+        <translation>&amp;Quader</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner: mean, deviation, volume</source>
+        <translation>Von Ecke zu Ecke ziehen: Mittel, Streuung, Volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Scissors</source>
+        <translation>S&amp;chere</translation>
+    </message>
+    <message>
+        <source>Draw around the part to remove</source>
+        <translation>Den Teil umfahren, der weg soll</translation>
+    </message>
+    <message>
+        <source>&amp;Keep inside</source>
+        <translation>Inneres &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Draw around the part to keep</source>
+        <translation>Den Teil umfahren, der bleiben soll</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>Annotate</source>
+        <translation>Beschriften</translation>
+    </message>
+    <message>
+        <source>Cobb angles, regions, curves, arrows and texts</source>
+        <translation>Cobb-Winkel, Regionen, Kurven, Pfeile und Texte</translation>
+    </message>
+    <message>
+        <source>Anno&amp;tate</source>
+        <translation>Beschrifte&amp;n</translation>
+    </message>
+    <message>
+        <source>&amp;Cobb angle</source>
+        <translation>&amp;Cobb-Winkel</translation>
+    </message>
+    <message>
+        <source>Drag along one line, then another</source>
+        <translation>Eine Linie entlang ziehen, dann eine zweite</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Drag across a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Über eine Schicht ziehen: Fläche, Mittelwert, Abweichung, kleinster und größter Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Freehand region</source>
+        <translation>&amp;Freihand-Region</translation>
+    </message>
+    <message>
+        <source>Draw around a region of a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Eine Region einer Schicht umfahren: Fläche, Mittelwert, Abweichung, kleinster und größter Wert</translation>
+    </message>
+    <message>
+        <source>C&amp;urve</source>
+        <translation>K&amp;urve</translation>
+    </message>
+    <message>
+        <source>Click along a vessel or the jaw: its length, and the volume straightened along it</source>
+        <translation>An einem Gefäß oder dem Kiefer entlang klicken: die Länge, und das Volumen daran begradigt</translation>
+    </message>
+    <message>
+        <source>&amp;Arrow</source>
+        <translation>&amp;Pfeil</translation>
+    </message>
+    <message>
+        <source>Drag to the thing to show, then type</source>
+        <translation>Zu dem ziehen, was gezeigt werden soll, dann tippen</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Text</translation>
+    </message>
+    <message>
+        <source>Click, then type</source>
+        <translation>Klicken, dann tippen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;No comparison</source>
+        <translation>&amp;Kein Vergleich</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s &amp;GPU mapper</source>
+        <translation>Mit VTKs &amp;GPU-Mapper vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s CP&amp;U mapper</source>
+        <translation>Mit VTKs CP&amp;U-Mapper vergleichen</translation>
+    </message>
+    <message>
+        <source>W&amp;ipe between them</source>
+        <translation>Da&amp;zwischen wischen</translation>
+    </message>
+    <message>
+        <source>Both images in one place, with a divider to drag</source>
+        <translation>Beide Bilder an einem Ort, mit einer Trennlinie zum Ziehen</translation>
+    </message>
+    <message>
+        <source>Benc&amp;hmark…</source>
+        <translation>&amp;Leistungsvergleich…</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::Tour</name>
     <message>
         <source>Back</source>
@@ -4453,13 +4474,6 @@ ml</translation>
     </message>
 </context>
 <context>
-    <name>varimarch::VolumeLoader</name>
-    <message>
-        <source>There is not enough memory for this volume.</source>
-        <translation>Für dieses Volumen reicht der Speicher nicht.</translation>
-    </message>
-</context>
-<context>
     <name>varimarch::VolumeView</name>
     <message>
         <source>turn the camera</source>
@@ -4620,12 +4634,44 @@ ml</translation>
         <source>Several volumes are drawn together as composites.</source>
         <translation>Mehrere Volumen werden gemeinsam gezeichnet, als Überlagerung.</translation>
     </message>
+    <message>
+        <source>Registering</source>
+        <translation>Registrierung</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cannot register</source>
+        <translation>Registrierung nicht möglich</translation>
+    </message>
+    <message>
+        <source>register a volume</source>
+        <translation>Volumen registrieren</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::WarningBar</name>
     <message>
         <source>Dismiss</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Rectify</source>
+        <translation>Entzerren</translation>
+    </message>
+    <message>
+        <source>Show as scanned</source>
+        <translation>Wie aufgenommen zeigen</translation>
+    </message>
+    <message>
+        <source>Open all images</source>
+        <translation>Alle Bilder öffnen</translation>
+    </message>
+    <message>
+        <source>This image belongs to a series of %1 images.</source>
+        <translation>Dieses Bild gehört zu einer Serie von %1 Bildern.</translation>
     </message>
 </context>
 </TS>

@@ -1770,6 +1770,93 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::ExportActions</name>
+    <message>
+        <source>Export an &amp;image…</source>
+        <translation>Exportar una &amp;imagen…</translation>
+    </message>
+    <message>
+        <source>Send the i&amp;mage to an archive…</source>
+        <translation>Enviar la i&amp;magen a un archivo PACS…</translation>
+    </message>
+    <message>
+        <source>Export a &amp;turntable…</source>
+        <translation>Exportar un gir&amp;o…</translation>
+    </message>
+    <message>
+        <source>&amp;Export the times…</source>
+        <translation>Exportar los ti&amp;empos…</translation>
+    </message>
+    <message>
+        <source>Export a re&amp;port…</source>
+        <translation>Exportar un in&amp;forme…</translation>
+    </message>
+    <message>
+        <source>Export the &amp;cuts…</source>
+        <translation>E&amp;xportar los cortes…</translation>
+    </message>
+    <message>
+        <source>Export a cha&amp;nge of the look from</source>
+        <translation>Exportar u&amp;n cambio del aspecto desde</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cannot export</source>
+        <translation>No se puede exportar</translation>
+    </message>
+    <message>
+        <source>Export a turntable</source>
+        <translation>Exportar un giro</translation>
+    </message>
+    <message>
+        <source>Rendering the turntable</source>
+        <translation>Dibujando un giro</translation>
+    </message>
+    <message>
+        <source>Export the times</source>
+        <translation>Exportar los tiempos</translation>
+    </message>
+    <message>
+        <source>Rendering the times</source>
+        <translation>Calculando los tiempos</translation>
+    </message>
+    <message>
+        <source>An added scan stays at the time before, since another could not be read: %1</source>
+        <translation>Un estudio añadido permanece en el tiempo anterior, porque no se pudo leer otro: %1</translation>
+    </message>
+    <message>
+        <source>Export a report</source>
+        <translation>Exportar un informe</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Export the cuts</source>
+        <translation>Exportar los cortes</translation>
+    </message>
+    <message>
+        <source>Rendering the cuts</source>
+        <translation>Calculando los cortes</translation>
+    </message>
+    <message>
+        <source>Export a change of the look</source>
+        <translation>Exportar un cambio del aspecto</translation>
+    </message>
+    <message>
+        <source>Rendering the change</source>
+        <translation>Calculando el cambio</translation>
+    </message>
+    <message>
+        <source>The current look cannot change: it is no composite, or has regions</source>
+        <translation>El aspecto actual no puede cambiar: no es una composición o tiene regiones</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::ExportDialog</name>
     <message>
         <source>Transparent background (PNG)</source>
@@ -1864,6 +1951,121 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     <message>
         <source>per mm</source>
         <translation>por mm</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::HelpActions</name>
+    <message>
+        <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
+        <translation>&lt;b&gt;No apto para diagnóstico.&lt;/b&gt; Este programa no es un producto sanitario. No debe usarse para diagnosticar ni para planificar o guiar un tratamiento.</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>&amp;Buscar una orden…</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and keys</source>
+        <translation>Ratón y &amp;teclas</translation>
+    </message>
+    <message>
+        <source>&amp;Two-minute tour</source>
+        <translation>Recorrido de &amp;dos minutos</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>Open the l&amp;og folder</source>
+        <translation>Abrir la carpeta del &amp;registro</translation>
+    </message>
+    <message>
+        <source>&amp;About Varimarch</source>
+        <translation>&amp;Acerca de Varimarch</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>I understand</source>
+        <translation>Entendido</translation>
+    </message>
+    <message>
+        <source>As on the &amp;desktop</source>
+        <translation>Como en el &amp;escritorio</translation>
+    </message>
+    <message>
+        <source>The program will use the desktop&apos;s language after a restart</source>
+        <translation>El programa usará el idioma del escritorio tras reiniciarse</translation>
+    </message>
+    <message>
+        <source>The program will use %1 after a restart</source>
+        <translation>El programa usará %1 tras reiniciarse</translation>
+    </message>
+    <message>
+        <source>The volume</source>
+        <translation>El volumen</translation>
+    </message>
+    <message>
+        <source>Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to come nearer. A double-click shows it alone, another one all views again.</source>
+        <translation>Arrastre para girarlo, arrastre con Mayús o con el botón central para moverlo y use la rueda para acercarse. Un doble clic lo muestra solo; otro, de nuevo todas las vistas.</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and drag with the right button for brightness and contrast. Number keys choose a usual window.</source>
+        <translation>La rueda recorre los cortes. Arrastre la cruz para mover los tres, sus brazos para inclinarlos y, con el botón derecho, para el brillo y el contraste. Las teclas numéricas eligen una ventana habitual.</translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation>Aspectos</translation>
+    </message>
+    <message>
+        <source>Each image is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
+        <translation>Cada imagen es este estudio con otro aspecto. Haga clic en una; Ctrl+Z lo deshace, como todo cambio.</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Función de transferencia</translation>
+    </message>
+    <message>
+        <source>The curve says how opaque each value is, over the histogram of the scan. Drag its points, click to add one, and double-click a point for its numbers.</source>
+        <translation>La curva indica cuán opaco es cada valor, sobre el histograma del estudio. Arrastre sus puntos, haga clic para añadir uno y doble clic en un punto para ver sus números.</translation>
+    </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Cortar</translation>
+    </message>
+    <message>
+        <source>Remove the table with one click, drag a box or a plane in the volume, or cut with the scissors of the tool bar.</source>
+        <translation>Quite la mesa con un clic, arrastre una caja o un plano en el volumen, o corte con las tijeras de la barra de herramientas.</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Mediciones</translation>
+    </message>
+    <message>
+        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here and in reports.</source>
+        <translation>Elija una medición en la barra de herramientas y arrastre en un corte o en el volumen. Todas figuran aquí en una lista y en los informes.</translation>
+    </message>
+    <message>
+        <source>Everything else</source>
+        <translation>Todo lo demás</translation>
+    </message>
+    <message>
+        <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
+        <translation>Ctrl+K encuentra cualquier orden por una palabra y F1 muestra qué hacen el ratón y las teclas. El menú Archivo guarda sesiones, imágenes e informes.</translation>
+    </message>
+    <message>
+        <source>About Varimarch</source>
+        <translation>Acerca de Varimarch</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Shows CT and MR volumes with a promised error.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Muestra volúmenes de TC y RM con un error prometido.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>
@@ -2096,6 +2298,33 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::LoadController</name>
+    <message>
+        <source>There is not enough memory for this volume.</source>
+        <translation>No hay memoria suficiente para este volumen.</translation>
+    </message>
+    <message>
+        <source>open a segmentation</source>
+        <translation>abrir una segmentación</translation>
+    </message>
+    <message>
+        <source>rectify slices</source>
+        <translation>rectificar los cortes</translation>
+    </message>
+    <message>
+        <source>show slices as scanned</source>
+        <translation>cortes como se adquirieron</translation>
+    </message>
+    <message>
+        <source>At most %1 scans are drawn at once: remove one of them, and add the scan again</source>
+        <translation>Se dibujan como máximo %1 estudios a la vez: quite uno de ellos y añada el estudio de nuevo</translation>
+    </message>
+    <message>
+        <source>add a scan</source>
+        <translation>añadir un estudio</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::LookPanel</name>
     <message>
         <source>Preset</source>
@@ -2180,56 +2409,12 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
 <context>
     <name>varimarch::MainWindow</name>
     <message>
-        <source>There is no file to open: its name is empty.</source>
-        <translation>No hay ningún fichero que abrir: su nombre está vacío.</translation>
-    </message>
-    <message>
         <source>Varimarch, not for diagnostic use</source>
         <translation>Varimarch, no apto para diagnóstico</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; does not answer: its disk or the network may be gone. Try again later.</source>
-        <translation>«%1» no responde: quizá no estén disponibles su disco o la red. Inténtelo más tarde.</translation>
-    </message>
-    <message>
-        <source>A coarse copy is shown until the volume has been read for the first time</source>
-        <translation>Se muestra una copia aproximada hasta que el volumen se haya leído por primera vez</translation>
-    </message>
-    <message>
-        <source>Loading was cancelled</source>
-        <translation>Se canceló la carga</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Archivo</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>&amp;Abrir…</translation>
-    </message>
-    <message>
-        <source>Open a &amp;folder…</source>
-        <translation>Abrir una &amp;carpeta…</translation>
-    </message>
-    <message>
-        <source>Open a ra&amp;w file…</source>
-        <translation>Abrir un archivo &amp;sin cabecera…</translation>
-    </message>
-    <message>
-        <source>&amp;Recent scans</source>
-        <translation>Estudios &amp;recientes</translation>
-    </message>
-    <message>
-        <source>&amp;Save the session…</source>
-        <translation>&amp;Guardar la sesión…</translation>
-    </message>
-    <message>
-        <source>Export an &amp;image…</source>
-        <translation>Exportar una &amp;imagen…</translation>
-    </message>
-    <message>
-        <source>Export a &amp;turntable…</source>
-        <translation>Exportar un gir&amp;o…</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -2284,68 +2469,8 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
         <translation>Abra un estudio o suéltelo aquí</translation>
     </message>
     <message>
-        <source>Volumes (%1)</source>
-        <translation>Volúmenes (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>Loading %1</source>
-        <translation>Cargando %1</translation>
-    </message>
-    <message>
-        <source>Save the session</source>
-        <translation>Guardar la sesión</translation>
-    </message>
-    <message>
-        <source>Sessions (*.json)</source>
-        <translation>Sesiones (*.json)</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 guardado</translation>
-    </message>
-    <message>
-        <source>Cannot save</source>
-        <translation>No se puede guardar</translation>
-    </message>
-    <message>
-        <source>Varimarch</source>
-        <translation>Varimarch</translation>
-    </message>
-    <message>
-        <source>The program ended unexpectedly last time. Restore your session?</source>
-        <translation>El programa terminó de forma inesperada la última vez. ¿Restaurar la sesión?</translation>
-    </message>
-    <message>
-        <source>Open a volume</source>
-        <translation>Abrir un volumen</translation>
-    </message>
-    <message>
-        <source>Open a folder of DICOM files</source>
-        <translation>Abrir una carpeta de archivos DICOM</translation>
-    </message>
-    <message>
-        <source>Open a raw file</source>
-        <translation>Abrir un archivo sin cabecera</translation>
-    </message>
-    <message>
-        <source>Export a turntable</source>
-        <translation>Exportar un giro</translation>
-    </message>
-    <message>
-        <source>Rendering the turntable</source>
-        <translation>Dibujando un giro</translation>
-    </message>
-    <message>
-        <source>Cannot export</source>
-        <translation>No se puede exportar</translation>
-    </message>
-    <message>
-        <source>Look &quot;%1&quot;: %2. Press R to restore it.</source>
-        <translation>Aspecto «%1»: %2. Pulse R para restaurarlo.</translation>
     </message>
     <message>
         <source>Graphics card</source>
@@ -2360,360 +2485,28 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
         <translation>La tarjeta gráfica se reinició otra vez antes de dibujar una imagen; guarde la sesión e inicie el programa de nuevo, con otro controlador, o con LIBGL_ALWAYS_SOFTWARE=1 para dibujar sin la tarjeta.</translation>
     </message>
     <message>
-        <source>Cannot open</source>
-        <translation>No se puede abrir</translation>
-    </message>
-    <message>
-        <source>Clear the list</source>
-        <translation>Vaciar la lista</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Not for diagnostic use.&lt;/b&gt; This program is not a medical device. It must not be used to diagnose, to plan or to guide a treatment.</source>
-        <translation>&lt;b&gt;No apto para diagnóstico.&lt;/b&gt; Este programa no es un producto sanitario. No debe usarse para diagnosticar ni para planificar o guiar un tratamiento.</translation>
-    </message>
-    <message>
-        <source>I understand</source>
-        <translation>Entendido</translation>
-    </message>
-    <message>
-        <source>As on the &amp;desktop</source>
-        <translation>Como en el &amp;escritorio</translation>
-    </message>
-    <message>
-        <source>The program will use the desktop&apos;s language after a restart</source>
-        <translation>El programa usará el idioma del escritorio tras reiniciarse</translation>
-    </message>
-    <message>
-        <source>The program will use %1 after a restart</source>
-        <translation>El programa usará %1 tras reiniciarse</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>A&amp;yuda</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>&amp;Idioma</translation>
-    </message>
-    <message>
-        <source>&amp;About Varimarch</source>
-        <translation>&amp;Acerca de Varimarch</translation>
-    </message>
-    <message>
-        <source>About Varimarch</source>
-        <translation>Acerca de Varimarch</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Shows CT and MR volumes with a promised error.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Varimarch %1&lt;/b&gt;&lt;p&gt;Muestra volúmenes de TC y RM con un error prometido.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation>&amp;Herramientas</translation>
-    </message>
-    <message>
-        <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
-        <translation>Arrastre en horizontal para la ventana, en vertical para el nivel; también Ctrl y arrastrar</translation>
-    </message>
-    <message>
-        <source>&amp;Distance</source>
-        <translation>&amp;Distancia</translation>
-    </message>
-    <message>
-        <source>Drag from one point to another</source>
-        <translation>Arrastre de un punto a otro</translation>
-    </message>
-    <message>
-        <source>&amp;Angle</source>
-        <translation>Á&amp;ngulo</translation>
-    </message>
-    <message>
-        <source>Drag from the end of one arm to the vertex, then press at the end of the other</source>
-        <translation>Arrastre del extremo de un lado al vértice y pulse en el extremo del otro</translation>
-    </message>
-    <message>
-        <source>B&amp;ox</source>
-        <translation>Ca&amp;ja</translation>
-    </message>
-    <message>
-        <source>Drag from corner to corner: mean, deviation, volume</source>
-        <translation>Arrastre de esquina a esquina: media, desviación, volumen</translation>
-    </message>
-    <message>
-        <source>Draw around the part to remove</source>
-        <translation>Rodee la parte que se quita</translation>
-    </message>
-    <message>
-        <source>Draw around the part to keep</source>
-        <translation>Rodee la parte que se conserva</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>&amp;No comparison</source>
-        <translation>&amp;Sin comparación</translation>
-    </message>
-    <message>
-        <source>Compare with VTK&apos;s &amp;GPU mapper</source>
-        <translation>Comparar con el mapper de G&amp;PU de VTK</translation>
-    </message>
-    <message>
-        <source>Both images in one place, with a divider to drag</source>
-        <translation>Ambas imágenes en un lugar, con un divisor que se arrastra</translation>
-    </message>
-    <message>
-        <source>Export a report</source>
-        <translation>Exportar un informe</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Rectify</source>
-        <translation>Rectificar</translation>
-    </message>
-    <message>
-        <source>Show as scanned</source>
-        <translation>Mostrar como se adquirió</translation>
-    </message>
-    <message>
-        <source>rectify slices</source>
-        <translation>rectificar los cortes</translation>
-    </message>
-    <message>
-        <source>show slices as scanned</source>
-        <translation>cortes como se adquirieron</translation>
-    </message>
-    <message>
-        <source>Export a re&amp;port…</source>
-        <translation>Exportar un in&amp;forme…</translation>
     </message>
     <message>
         <source>&amp;Reset layout</source>
         <translation>&amp;Restablecer la disposición</translation>
     </message>
     <message>
-        <source>Open the l&amp;og folder</source>
-        <translation>Abrir la carpeta del &amp;registro</translation>
-    </message>
-    <message>
-        <source>Tool bar</source>
-        <translation>Barra de herramientas</translation>
-    </message>
-    <message>
-        <source>Compare with VTK&apos;s CP&amp;U mapper</source>
-        <translation>Comparar con el mapper de CP&amp;U de VTK</translation>
-    </message>
-    <message>
-        <source>Benc&amp;hmark…</source>
-        <translation>Prueba de &amp;rendimiento…</translation>
-    </message>
-    <message>
-        <source>Open a se&amp;gmentation…</source>
-        <translation>Abrir una segmen&amp;tación…</translation>
-    </message>
-    <message>
         <source>Segments</source>
         <translation>Segmentos</translation>
-    </message>
-    <message>
-        <source>Open a segmentation of this scan</source>
-        <translation>Abrir una segmentación de este estudio</translation>
-    </message>
-    <message>
-        <source>open a segmentation</source>
-        <translation>abrir una segmentación</translation>
-    </message>
-    <message>
-        <source>Segments: %1</source>
-        <translation>Segmentos: %1</translation>
-    </message>
-    <message>
-        <source>This file may be a segmentation of the scan that is shown: it lies in the same place, and has %1 different whole values. Show it as segments of the scan?</source>
-        <translation>Este archivo puede ser una segmentación del estudio mostrado: está en el mismo lugar y tiene %1 valores enteros distintos. ¿Mostrarlo como segmentos del estudio?</translation>
-    </message>
-    <message>
-        <source>Show as segments</source>
-        <translation>Mostrar como segmentos</translation>
-    </message>
-    <message>
-        <source>Open as a scan</source>
-        <translation>Abrir como estudio</translation>
-    </message>
-    <message>
-        <source>Beside the scan the folder holds a segmentation. Show its segments?</source>
-        <translation>Junto al estudio, la carpeta contiene una segmentación. ¿Mostrar sus segmentos?</translation>
-    </message>
-    <message>
-        <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
-        <translation>Sus medidas, cortes, aspecto y segmentos no están guardados. ¿Guardar la sesión?</translation>
     </message>
     <message>
         <source>Lights</source>
         <translation>Luces</translation>
     </message>
     <message>
-        <source>Memor&amp;y for volumes</source>
-        <translation>Memoria para &amp;volúmenes</translation>
-    </message>
-    <message>
-        <source>&amp;All of the computer&apos;s</source>
-        <translation>&amp;Toda la del equipo</translation>
-    </message>
-    <message>
-        <source>%1 GB</source>
-        <translation>%1 GB</translation>
-    </message>
-    <message>
-        <source>The next volume is read within this memory</source>
-        <translation>El próximo volumen se leerá dentro de esta memoria</translation>
-    </message>
-    <message>
-        <source>&amp;Ask for a scan at start</source>
-        <translation>&amp;Preguntar por un estudio al iniciar</translation>
-    </message>
-    <message>
-        <source>&amp;Find a command…</source>
-        <translation>&amp;Buscar una orden…</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and keys</source>
-        <translation>Ratón y &amp;teclas</translation>
-    </message>
-    <message>
-        <source>&amp;Rotate</source>
-        <translation>&amp;Girar</translation>
-    </message>
-    <message>
-        <source>Drag to rotate the volume</source>
-        <translation>Arrastre para girar el volumen</translation>
-    </message>
-    <message>
-        <source>&amp;Window/Level</source>
-        <translation>&amp;Ventana/nivel</translation>
-    </message>
-    <message>
-        <source>&amp;Scissors</source>
-        <translation>&amp;Tijeras</translation>
-    </message>
-    <message>
-        <source>&amp;Keep inside</source>
-        <translation>C&amp;onservar el interior</translation>
-    </message>
-    <message>
-        <source>W&amp;ipe between them</source>
-        <translation>Des&amp;lizar entre ambas</translation>
-    </message>
-    <message>
-        <source>Wa&amp;lk</source>
-        <translation>Cam&amp;inar</translation>
-    </message>
-    <message>
-        <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
-        <translation>Caminar por el volumen: W, A, S, D o flechas, E y Q; arrastre para mirar alrededor</translation>
-    </message>
-    <message>
-        <source>A&amp;dd a scan…</source>
-        <translation>A&amp;ñadir un estudio…</translation>
-    </message>
-    <message>
         <source>Volumes</source>
         <translation>Volúmenes</translation>
     </message>
     <message>
-        <source>Add a scan</source>
-        <translation>Añadir un estudio</translation>
-    </message>
-    <message>
-        <source>Where is the scan to draw over the one that is shown?</source>
-        <translation>¿Dónde está el estudio que se dibujará sobre el mostrado?</translation>
-    </message>
-    <message>
-        <source>At most %1 scans are drawn at once: remove one of them, and add the scan again</source>
-        <translation>Se dibujan como máximo %1 estudios a la vez: quite uno de ellos y añada el estudio de nuevo</translation>
-    </message>
-    <message>
-        <source>In a file…</source>
-        <translation>En un archivo…</translation>
-    </message>
-    <message>
-        <source>In a folder of DICOM files…</source>
-        <translation>En una carpeta de archivos DICOM…</translation>
-    </message>
-    <message>
-        <source>add a scan</source>
-        <translation>añadir un estudio</translation>
-    </message>
-    <message>
-        <source>Added %1; the look panels now change it</source>
-        <translation>Se añadió %1; los paneles de aspecto cambian ahora este volumen</translation>
-    </message>
-    <message>
-        <source>The two scans have different frames of reference: they may not fit on each other. Check their place in the slices, and move or register the added one.</source>
-        <translation>Los dos estudios tienen sistemas de referencia distintos: puede que no coincidan. Compruebe su posición en los cortes y mueva o registre el añadido.</translation>
-    </message>
-    <message>
-        <source>The files do not say whether the two scans are in the same space. They are placed by their coordinates: check that in the slices, and move or register the added one.</source>
-        <translation>Los archivos no dicen si los dos estudios están en el mismo espacio. Se colocan según sus coordenadas: compruébelo en los cortes y mueva o registre el añadido.</translation>
-    </message>
-    <message>
-        <source>Registering</source>
-        <translation>Registrando</translation>
-    </message>
-    <message>
-        <source>Cannot register</source>
-        <translation>No se puede registrar</translation>
-    </message>
-    <message>
-        <source>register a volume</source>
-        <translation>registrar un volumen</translation>
-    </message>
-    <message>
         <source>Registered; compare the volumes in the slices before you trust it</source>
         <translation>Registrado; compare los volúmenes en los cortes antes de fiarse</translation>
-    </message>
-    <message>
-        <source>Save the segmentation</source>
-        <translation>Guardar la segmentación</translation>
-    </message>
-    <message>
-        <source>Segmentation of 3D Slicer (*.seg.nrrd)</source>
-        <translation>Segmentación de 3D Slicer (*.seg.nrrd)</translation>
-    </message>
-    <message>
-        <source>NIfTI (*.nii.gz)</source>
-        <translation>NIfTI (*.nii.gz)</translation>
-    </message>
-    <message>
-        <source>save the segmentation</source>
-        <translation>guardar la segmentación</translation>
-    </message>
-    <message>
-        <source>Send the i&amp;mage to an archive…</source>
-        <translation>Enviar la i&amp;magen a un archivo PACS…</translation>
-    </message>
-    <message>
-        <source>St&amp;udy list…</source>
-        <translation>Lista de est&amp;udios…</translation>
-    </message>
-    <message>
-        <source>Arc&amp;hive (PACS)…</source>
-        <translation>Arc&amp;hivo de imágenes (PACS)…</translation>
-    </message>
-    <message>
-        <source>DICOM attri&amp;butes…</source>
-        <translation>Atri&amp;butos DICOM…</translation>
-    </message>
-    <message>
-        <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
-        <translation>Este estudio procede de un archivo y se borra al final; una sesión no podría encontrarlo. Tráigalo primero con «Conservar en…».</translation>
-    </message>
-    <message>
-        <source>DICOM segmentation (*.dcm)</source>
-        <translation>Segmentación DICOM (*.dcm)</translation>
     </message>
     <message>
         <source>Axial slice</source>
@@ -2728,192 +2521,12 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
         <translation>Corte sagital</translation>
     </message>
     <message>
-        <source>&amp;Export the times…</source>
-        <translation>Exportar los ti&amp;empos…</translation>
-    </message>
-    <message>
         <source>Along the curve</source>
         <translation>A lo largo de la curva</translation>
     </message>
     <message>
-        <source>Export the times</source>
-        <translation>Exportar los tiempos</translation>
-    </message>
-    <message>
-        <source>Rendering the times</source>
-        <translation>Calculando los tiempos</translation>
-    </message>
-    <message>
-        <source>An added scan stays at the time before, since another could not be read: %1</source>
-        <translation>Un estudio añadido permanece en el tiempo anterior, porque no se pudo leer otro: %1</translation>
-    </message>
-    <message>
-        <source>Export the cuts</source>
-        <translation>Exportar los cortes</translation>
-    </message>
-    <message>
-        <source>Rendering the cuts</source>
-        <translation>Calculando los cortes</translation>
-    </message>
-    <message>
-        <source>Export a change of the look</source>
-        <translation>Exportar un cambio del aspecto</translation>
-    </message>
-    <message>
-        <source>Rendering the change</source>
-        <translation>Calculando el cambio</translation>
-    </message>
-    <message>
-        <source>The current look cannot change: it is no composite, or has regions</source>
-        <translation>El aspecto actual no puede cambiar: no es una composición o tiene regiones</translation>
-    </message>
-    <message>
-        <source>Export the &amp;cuts…</source>
-        <translation>E&amp;xportar los cortes…</translation>
-    </message>
-    <message>
-        <source>Export a cha&amp;nge of the look from</source>
-        <translation>Exportar u&amp;n cambio del aspecto desde</translation>
-    </message>
-    <message>
-        <source>&amp;Mark a key image</source>
-        <translation>&amp;Marcar una imagen clave</translation>
-    </message>
-    <message>
-        <source>Annotate</source>
-        <translation>Anotar</translation>
-    </message>
-    <message>
-        <source>Cobb angles, regions, curves, arrows and texts</source>
-        <translation>Ángulos de Cobb, regiones, curvas, flechas y textos</translation>
-    </message>
-    <message>
-        <source>Anno&amp;tate</source>
-        <translation>&amp;Anotar</translation>
-    </message>
-    <message>
-        <source>&amp;Cobb angle</source>
-        <translation>Ángulo de &amp;Cobb</translation>
-    </message>
-    <message>
-        <source>Drag along one line, then another</source>
-        <translation>Arrastre a lo largo de una línea y después de otra</translation>
-    </message>
-    <message>
-        <source>&amp;Ellipse</source>
-        <translation>&amp;Elipse</translation>
-    </message>
-    <message>
-        <source>Drag across a slice: area, mean, deviation, smallest and largest value</source>
-        <translation>Arrastre sobre un corte: área, media, desviación, valor mínimo y máximo</translation>
-    </message>
-    <message>
-        <source>&amp;Freehand region</source>
-        <translation>Región a &amp;mano alzada</translation>
-    </message>
-    <message>
-        <source>Draw around a region of a slice: area, mean, deviation, smallest and largest value</source>
-        <translation>Dibuje alrededor de una región de un corte: área, media, desviación, valor mínimo y máximo</translation>
-    </message>
-    <message>
-        <source>C&amp;urve</source>
-        <translation>C&amp;urva</translation>
-    </message>
-    <message>
-        <source>Click along a vessel or the jaw: its length, and the volume straightened along it</source>
-        <translation>Haga clic a lo largo de un vaso o de la mandíbula: su longitud, y el volumen enderezado a lo largo</translation>
-    </message>
-    <message>
-        <source>&amp;Arrow</source>
-        <translation>&amp;Flecha</translation>
-    </message>
-    <message>
-        <source>Drag to the thing to show, then type</source>
-        <translation>Arrastre hasta lo que quiere mostrar y escriba</translation>
-    </message>
-    <message>
-        <source>&amp;Text</source>
-        <translation>&amp;Texto</translation>
-    </message>
-    <message>
-        <source>Click, then type</source>
-        <translation>Haga clic y escriba</translation>
-    </message>
-    <message>
         <source>Titles of panels</source>
         <translation>Títulos de los paneles</translation>
-    </message>
-    <message>
-        <source>&amp;Kinds of volume in the series</source>
-        <translation>Tipos de volumen de la serie</translation>
-    </message>
-    <message>
-        <source>Open fi&amp;les as times…</source>
-        <translation>Abrir archivos &amp;de varios tiempos…</translation>
-    </message>
-    <message>
-        <source>Open files as times: choose one of the files whose names differ in a number</source>
-        <translation>Abrir archivos de varios tiempos: elija uno de los archivos cuyos nombres difieren en un número</translation>
-    </message>
-    <message>
-        <source>&amp;Two-minute tour</source>
-        <translation>Recorrido de &amp;dos minutos</translation>
-    </message>
-    <message>
-        <source>The volume</source>
-        <translation>El volumen</translation>
-    </message>
-    <message>
-        <source>Drag to turn it, drag with Shift or the middle button to move it, and turn the wheel to come nearer. A double-click shows it alone, another one all views again.</source>
-        <translation>Arrastre para girarlo, arrastre con Mayús o con el botón central para moverlo y use la rueda para acercarse. Un doble clic lo muestra solo; otro, de nuevo todas las vistas.</translation>
-    </message>
-    <message>
-        <source>Slices</source>
-        <translation>Cortes</translation>
-    </message>
-    <message>
-        <source>The wheel goes through the slices. Drag the cross to move all three, its arms to tilt them, and drag with the right button for brightness and contrast. Number keys choose a usual window.</source>
-        <translation>La rueda recorre los cortes. Arrastre la cruz para mover los tres, sus brazos para inclinarlos y, con el botón derecho, para el brillo y el contraste. Las teclas numéricas eligen una ventana habitual.</translation>
-    </message>
-    <message>
-        <source>Looks</source>
-        <translation>Aspectos</translation>
-    </message>
-    <message>
-        <source>Each image is this scan with another look. Click one; Ctrl+Z takes it back, as it does every edit.</source>
-        <translation>Cada imagen es este estudio con otro aspecto. Haga clic en una; Ctrl+Z lo deshace, como todo cambio.</translation>
-    </message>
-    <message>
-        <source>Transfer function</source>
-        <translation>Función de transferencia</translation>
-    </message>
-    <message>
-        <source>The curve says how opaque each value is, over the histogram of the scan. Drag its points, click to add one, and double-click a point for its numbers.</source>
-        <translation>La curva indica cuán opaco es cada valor, sobre el histograma del estudio. Arrastre sus puntos, haga clic para añadir uno y doble clic en un punto para ver sus números.</translation>
-    </message>
-    <message>
-        <source>Remove the table with one click, drag a box or a plane in the volume, or cut with the scissors of the tool bar.</source>
-        <translation>Quite la mesa con un clic, arrastre una caja o un plano en el volumen, o corte con las tijeras de la barra de herramientas.</translation>
-    </message>
-    <message>
-        <source>Choose a measurement in the tool bar and drag in a slice or in the volume. All of them are listed here and in reports.</source>
-        <translation>Elija una medición en la barra de herramientas y arrastre en un corte o en el volumen. Todas figuran aquí en una lista y en los informes.</translation>
-    </message>
-    <message>
-        <source>Everything else</source>
-        <translation>Todo lo demás</translation>
-    </message>
-    <message>
-        <source>Ctrl+K finds any command by a word, and F1 lists what the mouse and the keys do. The menu File saves sessions, images and reports.</source>
-        <translation>Ctrl+K encuentra cualquier orden por una palabra y F1 muestra qué hacen el ratón y las teclas. El menú Archivo guarda sesiones, imágenes e informes.</translation>
-    </message>
-    <message>
-        <source>Open all images</source>
-        <translation>Abrir todas las imágenes</translation>
-    </message>
-    <message>
-        <source>This image belongs to a series of %1 images.</source>
-        <translation>Esta imagen pertenece a una serie de %1 imágenes.</translation>
     </message>
 </context>
 <context>
@@ -3028,6 +2641,169 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     <message>
         <source>Delete</source>
         <translation>Borrar</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::OpenActions</name>
+    <message>
+        <source>Volumes (%1)</source>
+        <translation>Volúmenes (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Loading %1</source>
+        <translation>Cargando %1</translation>
+    </message>
+    <message>
+        <source>A coarse copy is shown until the volume has been read for the first time</source>
+        <translation>Se muestra una copia aproximada hasta que el volumen se haya leído por primera vez</translation>
+    </message>
+    <message>
+        <source>Loading was cancelled</source>
+        <translation>Se canceló la carga</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a &amp;folder…</source>
+        <translation>Abrir una &amp;carpeta…</translation>
+    </message>
+    <message>
+        <source>Open a ra&amp;w file…</source>
+        <translation>Abrir un archivo &amp;sin cabecera…</translation>
+    </message>
+    <message>
+        <source>Open fi&amp;les as times…</source>
+        <translation>Abrir archivos &amp;de varios tiempos…</translation>
+    </message>
+    <message>
+        <source>&amp;Kinds of volume in the series</source>
+        <translation>Tipos de volumen de la serie</translation>
+    </message>
+    <message>
+        <source>A&amp;dd a scan…</source>
+        <translation>A&amp;ñadir un estudio…</translation>
+    </message>
+    <message>
+        <source>Open a se&amp;gmentation…</source>
+        <translation>Abrir una segmen&amp;tación…</translation>
+    </message>
+    <message>
+        <source>&amp;Ask for a scan at start</source>
+        <translation>&amp;Preguntar por un estudio al iniciar</translation>
+    </message>
+    <message>
+        <source>Memor&amp;y for volumes</source>
+        <translation>Memoria para &amp;volúmenes</translation>
+    </message>
+    <message>
+        <source>&amp;All of the computer&apos;s</source>
+        <translation>&amp;Toda la del equipo</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+    <message>
+        <source>The next volume is read within this memory</source>
+        <translation>El próximo volumen se leerá dentro de esta memoria</translation>
+    </message>
+    <message>
+        <source>There is no file to open: its name is empty.</source>
+        <translation>No hay ningún fichero que abrir: su nombre está vacío.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; does not answer: its disk or the network may be gone. Try again later.</source>
+        <translation>«%1» no responde: quizá no estén disponibles su disco o la red. Inténtelo más tarde.</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly last time. Restore your session?</source>
+        <translation>El programa terminó de forma inesperada la última vez. ¿Restaurar la sesión?</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Abrir un volumen</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Abrir una carpeta de archivos DICOM</translation>
+    </message>
+    <message>
+        <source>Open files as times: choose one of the files whose names differ in a number</source>
+        <translation>Abrir archivos de varios tiempos: elija uno de los archivos cuyos nombres difieren en un número</translation>
+    </message>
+    <message>
+        <source>Open a raw file</source>
+        <translation>Abrir un archivo sin cabecera</translation>
+    </message>
+    <message>
+        <source>Add a scan</source>
+        <translation>Añadir un estudio</translation>
+    </message>
+    <message>
+        <source>Where is the scan to draw over the one that is shown?</source>
+        <translation>¿Dónde está el estudio que se dibujará sobre el mostrado?</translation>
+    </message>
+    <message>
+        <source>In a file…</source>
+        <translation>En un archivo…</translation>
+    </message>
+    <message>
+        <source>In a folder of DICOM files…</source>
+        <translation>En una carpeta de archivos DICOM…</translation>
+    </message>
+    <message>
+        <source>Open a segmentation of this scan</source>
+        <translation>Abrir una segmentación de este estudio</translation>
+    </message>
+    <message>
+        <source>This file may be a segmentation of the scan that is shown: it lies in the same place, and has %1 different whole values. Show it as segments of the scan?</source>
+        <translation>Este archivo puede ser una segmentación del estudio mostrado: está en el mismo lugar y tiene %1 valores enteros distintos. ¿Mostrarlo como segmentos del estudio?</translation>
+    </message>
+    <message>
+        <source>Show as segments</source>
+        <translation>Mostrar como segmentos</translation>
+    </message>
+    <message>
+        <source>Open as a scan</source>
+        <translation>Abrir como estudio</translation>
+    </message>
+    <message>
+        <source>Beside the scan the folder holds a segmentation. Show its segments?</source>
+        <translation>Junto al estudio, la carpeta contiene una segmentación. ¿Mostrar sus segmentos?</translation>
+    </message>
+    <message>
+        <source>Look &quot;%1&quot;: %2. Press R to restore it.</source>
+        <translation>Aspecto «%1»: %2. Pulse R para restaurarlo.</translation>
+    </message>
+    <message>
+        <source>Added %1; the look panels now change it</source>
+        <translation>Se añadió %1; los paneles de aspecto cambian ahora este volumen</translation>
+    </message>
+    <message>
+        <source>The two scans have different frames of reference: they may not fit on each other. Check their place in the slices, and move or register the added one.</source>
+        <translation>Los dos estudios tienen sistemas de referencia distintos: puede que no coincidan. Compruebe su posición en los cortes y mueva o registre el añadido.</translation>
+    </message>
+    <message>
+        <source>The files do not say whether the two scans are in the same space. They are placed by their coordinates: check that in the slices, and move or register the added one.</source>
+        <translation>Los archivos no dicen si los dos estudios están en el mismo espacio. Se colocan según sus coordenadas: compruébelo en los cortes y mueva o registre el añadido.</translation>
+    </message>
+    <message>
+        <source>Segments: %1</source>
+        <translation>Segmentos: %1</translation>
+    </message>
+    <message>
+        <source>Cannot open</source>
+        <translation>No se puede abrir</translation>
     </message>
 </context>
 <context>
@@ -3386,6 +3162,84 @@ permita más memoria en el menú Archivo o amplíe la imagen.</translation>
     <message>
         <source>look of a script</source>
         <translation>aspecto de un script</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::SaveActions</name>
+    <message>
+        <source>&amp;Save the session…</source>
+        <translation>&amp;Guardar la sesión…</translation>
+    </message>
+    <message>
+        <source>Varimarch</source>
+        <translation>Varimarch</translation>
+    </message>
+    <message>
+        <source>Your measurements, cuts, look and segments are not saved. Save the session?</source>
+        <translation>Sus medidas, cortes, aspecto y segmentos no están guardados. ¿Guardar la sesión?</translation>
+    </message>
+    <message>
+        <source>Cannot save</source>
+        <translation>No se puede guardar</translation>
+    </message>
+    <message>
+        <source>This scan was fetched from an archive and is deleted at the end, so a session could not find it again. Fetch it with &quot;Keep in…&quot; first.</source>
+        <translation>Este estudio procede de un archivo y se borra al final; una sesión no podría encontrarlo. Tráigalo primero con «Conservar en…».</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Guardar la sesión</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>Sesiones (*.json)</translation>
+    </message>
+    <message>
+        <source>Segmentation of 3D Slicer (*.seg.nrrd)</source>
+        <translation>Segmentación de 3D Slicer (*.seg.nrrd)</translation>
+    </message>
+    <message>
+        <source>NIfTI (*.nii.gz)</source>
+        <translation>NIfTI (*.nii.gz)</translation>
+    </message>
+    <message>
+        <source>DICOM segmentation (*.dcm)</source>
+        <translation>Segmentación DICOM (*.dcm)</translation>
+    </message>
+    <message>
+        <source>Save the segmentation</source>
+        <translation>Guardar la segmentación</translation>
+    </message>
+    <message>
+        <source>save the segmentation</source>
+        <translation>guardar la segmentación</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 guardado</translation>
+    </message>
+</context>
+<context>
+    <name>varimarch::ScanLists</name>
+    <message>
+        <source>&amp;Recent scans</source>
+        <translation>Estudios &amp;recientes</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Vaciar la lista</translation>
+    </message>
+    <message>
+        <source>St&amp;udy list…</source>
+        <translation>Lista de est&amp;udios…</translation>
+    </message>
+    <message>
+        <source>Arc&amp;hive (PACS)…</source>
+        <translation>Arc&amp;hivo de imágenes (PACS)…</translation>
+    </message>
+    <message>
+        <source>DICOM attri&amp;butes…</source>
+        <translation>Atri&amp;butos DICOM…</translation>
     </message>
 </context>
 <context>
@@ -4172,6 +4026,173 @@ ml</translation>
     </message>
 </context>
 <context>
+    <name>varimarch::ToolMenu</name>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Herramientas</translation>
+    </message>
+    <message>
+        <source>&amp;Mark a key image</source>
+        <translation>&amp;Marcar una imagen clave</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Girar</translation>
+    </message>
+    <message>
+        <source>Drag to rotate the volume</source>
+        <translation>Arrastre para girar el volumen</translation>
+    </message>
+    <message>
+        <source>Wa&amp;lk</source>
+        <translation>Cam&amp;inar</translation>
+    </message>
+    <message>
+        <source>Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around</source>
+        <translation>Caminar por el volumen: W, A, S, D o flechas, E y Q; arrastre para mirar alrededor</translation>
+    </message>
+    <message>
+        <source>&amp;Window/Level</source>
+        <translation>&amp;Ventana/nivel</translation>
+    </message>
+    <message>
+        <source>Drag sideways for the window, up and down for the level; or drag with Ctrl</source>
+        <translation>Arrastre en horizontal para la ventana, en vertical para el nivel; también Ctrl y arrastrar</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Distancia</translation>
+    </message>
+    <message>
+        <source>Drag from one point to another</source>
+        <translation>Arrastre de un punto a otro</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>Á&amp;ngulo</translation>
+    </message>
+    <message>
+        <source>Drag from the end of one arm to the vertex, then press at the end of the other</source>
+        <translation>Arrastre del extremo de un lado al vértice y pulse en el extremo del otro</translation>
+    </message>
+    <message>
+        <source>B&amp;ox</source>
+        <translation>Ca&amp;ja</translation>
+    </message>
+    <message>
+        <source>Drag from corner to corner: mean, deviation, volume</source>
+        <translation>Arrastre de esquina a esquina: media, desviación, volumen</translation>
+    </message>
+    <message>
+        <source>&amp;Scissors</source>
+        <translation>&amp;Tijeras</translation>
+    </message>
+    <message>
+        <source>Draw around the part to remove</source>
+        <translation>Rodee la parte que se quita</translation>
+    </message>
+    <message>
+        <source>&amp;Keep inside</source>
+        <translation>C&amp;onservar el interior</translation>
+    </message>
+    <message>
+        <source>Draw around the part to keep</source>
+        <translation>Rodee la parte que se conserva</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Barra de herramientas</translation>
+    </message>
+    <message>
+        <source>Annotate</source>
+        <translation>Anotar</translation>
+    </message>
+    <message>
+        <source>Cobb angles, regions, curves, arrows and texts</source>
+        <translation>Ángulos de Cobb, regiones, curvas, flechas y textos</translation>
+    </message>
+    <message>
+        <source>Anno&amp;tate</source>
+        <translation>&amp;Anotar</translation>
+    </message>
+    <message>
+        <source>&amp;Cobb angle</source>
+        <translation>Ángulo de &amp;Cobb</translation>
+    </message>
+    <message>
+        <source>Drag along one line, then another</source>
+        <translation>Arrastre a lo largo de una línea y después de otra</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Elipse</translation>
+    </message>
+    <message>
+        <source>Drag across a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Arrastre sobre un corte: área, media, desviación, valor mínimo y máximo</translation>
+    </message>
+    <message>
+        <source>&amp;Freehand region</source>
+        <translation>Región a &amp;mano alzada</translation>
+    </message>
+    <message>
+        <source>Draw around a region of a slice: area, mean, deviation, smallest and largest value</source>
+        <translation>Dibuje alrededor de una región de un corte: área, media, desviación, valor mínimo y máximo</translation>
+    </message>
+    <message>
+        <source>C&amp;urve</source>
+        <translation>C&amp;urva</translation>
+    </message>
+    <message>
+        <source>Click along a vessel or the jaw: its length, and the volume straightened along it</source>
+        <translation>Haga clic a lo largo de un vaso o de la mandíbula: su longitud, y el volumen enderezado a lo largo</translation>
+    </message>
+    <message>
+        <source>&amp;Arrow</source>
+        <translation>&amp;Flecha</translation>
+    </message>
+    <message>
+        <source>Drag to the thing to show, then type</source>
+        <translation>Arrastre hasta lo que quiere mostrar y escriba</translation>
+    </message>
+    <message>
+        <source>&amp;Text</source>
+        <translation>&amp;Texto</translation>
+    </message>
+    <message>
+        <source>Click, then type</source>
+        <translation>Haga clic y escriba</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;No comparison</source>
+        <translation>&amp;Sin comparación</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s &amp;GPU mapper</source>
+        <translation>Comparar con el mapper de G&amp;PU de VTK</translation>
+    </message>
+    <message>
+        <source>Compare with VTK&apos;s CP&amp;U mapper</source>
+        <translation>Comparar con el mapper de CP&amp;U de VTK</translation>
+    </message>
+    <message>
+        <source>W&amp;ipe between them</source>
+        <translation>Des&amp;lizar entre ambas</translation>
+    </message>
+    <message>
+        <source>Both images in one place, with a divider to drag</source>
+        <translation>Ambas imágenes en un lugar, con un divisor que se arrastra</translation>
+    </message>
+    <message>
+        <source>Benc&amp;hmark…</source>
+        <translation>Prueba de &amp;rendimiento…</translation>
+    </message>
+</context>
+<context>
     <name>varimarch::Tour</name>
     <message>
         <source>Back</source>
@@ -4453,13 +4474,6 @@ ml</translation>
     </message>
 </context>
 <context>
-    <name>varimarch::VolumeLoader</name>
-    <message>
-        <source>There is not enough memory for this volume.</source>
-        <translation>No hay memoria suficiente para este volumen.</translation>
-    </message>
-</context>
-<context>
     <name>varimarch::VolumeView</name>
     <message>
         <source>turn the camera</source>
@@ -4620,12 +4634,44 @@ ml</translation>
         <source>Several volumes are drawn together as composites.</source>
         <translation>Varios volúmenes se dibujan juntos como compuestos.</translation>
     </message>
+    <message>
+        <source>Registering</source>
+        <translation>Registrando</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Cannot register</source>
+        <translation>No se puede registrar</translation>
+    </message>
+    <message>
+        <source>register a volume</source>
+        <translation>registrar un volumen</translation>
+    </message>
 </context>
 <context>
     <name>varimarch::WarningBar</name>
     <message>
         <source>Dismiss</source>
         <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Rectify</source>
+        <translation>Rectificar</translation>
+    </message>
+    <message>
+        <source>Show as scanned</source>
+        <translation>Mostrar como se adquirió</translation>
+    </message>
+    <message>
+        <source>Open all images</source>
+        <translation>Abrir todas las imágenes</translation>
+    </message>
+    <message>
+        <source>This image belongs to a series of %1 images.</source>
+        <translation>Esta imagen pertenece a una serie de %1 imágenes.</translation>
     </message>
 </context>
 </TS>

@@ -1,14 +1,18 @@
-#include "Viewer/ViewMenu.h"
+#include "Viewer/Menus.h"
 
 #include "Scene/SceneCamera.h"
 #include "Viewer/LiveColorDialog.h"
 #include "Viewer/Model/Gesture.h"
 #include "Viewer/Model/SliceWindows.h"
 #include "Viewer/Theme.h"
+#include "Viewer/Tools/ToolIcons.h"
 
 #include <QActionGroup>
 #include <QColorDialog>
+#include <QMainWindow>
 #include <QSettings>
+#include <QToolBar>
+#include <QToolButton>
 
 #include <tuple>
 
@@ -224,6 +228,128 @@ void ViewMenu::AddFullScreen()
       QWidget* const window = this->parentWidget()->window();
       window->setWindowState(window->windowState().setFlag(Qt::WindowFullScreen, on));
     });
+}
+
+/// A tool of the left button in the menu.
+struct ToolMenu::Tool
+{
+  LeftButton button;
+  QString name;
+  const char* key;
+  QString tip;
+};
+
+ToolMenu::ToolMenu(QMainWindow* window)
+  : QMenu(tr("&Tools"), window)
+  , window(window)
+{
+  this->AddTools();
+  this->addSeparator();
+  this->addAction(tr("&Mark a key image"), this, &ToolMenu::KeyImageWanted, QKeySequence("Ctrl+M"))
+    ->setObjectName("markKeyImage");
+  this->addSeparator();
+  this->AddComparisons();
+}
+
+// The menu holds the shortcuts; a tool bar makes the tools visible.
+void ToolMenu::AddTools()
+{
+  const Tool tools[] = {
+    { LeftButton::Turn, tr("&Rotate"), "T", tr("Drag to rotate the volume") },
+    { LeftButton::Walk, tr("Wa&lk"), "G",
+      tr("Walk through the volume: W, A, S, D or arrow keys, E and Q; drag to look around") },
+    { LeftButton::Brightness, tr("&Window/Level"), "W",
+      tr("Drag sideways for the window, up and down for the level; or drag with Ctrl") },
+    { LeftButton::Distance, tr("&Distance"), "M", tr("Drag from one point to another") },
+    { LeftButton::Angle, tr("&Angle"), "A",
+      tr("Drag from the end of one arm to the vertex, then press at the end of the other") },
+    { LeftButton::Box, tr("B&ox"), "B", tr("Drag from corner to corner: mean, deviation, volume") },
+    { LeftButton::CutOut, tr("&Scissors"), "X", tr("Draw around the part to remove") },
+    { LeftButton::KeepOnly, tr("&Keep inside"), "Shift+X", tr("Draw around the part to keep") },
+  };
+  auto* const bar = this->window->addToolBar(tr("Tool bar"));
+  bar->setObjectName("leftButton");
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  const int side = this->window->fontMetrics().height();
+  bar->setIconSize({ side, side });
+  auto* const group = new QActionGroup(this);
+  for (const Tool& tool : tools)
+  {
+    bar->addAction(this->AddTool(tool, this, group));
+  }
+  auto* const more = new QToolButton;
+  more->setObjectName("annotate");
+  more->setText(tr("Annotate"));
+  more->setIcon(AnnotationIcon());
+  more->setToolTip(tr("Cobb angles, regions, curves, arrows and texts"));
+  more->setPopupMode(QToolButton::InstantPopup);
+  QMenu* const annotations = this->addMenu(tr("Anno&tate"));
+  this->AddAnnotations(annotations, group);
+  more->setMenu(annotations);
+  bar->addWidget(more);
+  // Qt tells only the buttons of actions of the style of the bar.
+  more->setToolButtonStyle(bar->toolButtonStyle());
+  more->setIconSize(bar->iconSize());
+  connect(bar, &QToolBar::toolButtonStyleChanged, more, &QToolButton::setToolButtonStyle);
+}
+
+void ToolMenu::AddAnnotations(QMenu* menu, QActionGroup* group)
+{
+  const Tool tools[] = {
+    { LeftButton::CobbAngle, tr("&Cobb angle"), "Shift+A",
+      tr("Drag along one line, then another") },
+    { LeftButton::Ellipse, tr("&Ellipse"), "O",
+      tr("Drag across a slice: area, mean, deviation, smallest and largest value") },
+    { LeftButton::Freehand, tr("&Freehand region"), "Shift+O",
+      tr("Draw around a region of a slice: area, mean, deviation, smallest and largest value") },
+    { LeftButton::Curve, tr("C&urve"), "U",
+      tr("Click along a vessel or the jaw: its length, and the volume straightened along it") },
+    { LeftButton::Arrow, tr("&Arrow"), "Shift+M", tr("Drag to the thing to show, then type") },
+    { LeftButton::Text, tr("&Text"), "Shift+T", tr("Click, then type") },
+  };
+  for (const Tool& tool : tools)
+  {
+    this->AddTool(tool, menu, group);
+  }
+}
+
+QAction* ToolMenu::AddTool(const Tool& tool, QMenu* menu, QActionGroup* group)
+{
+  QAction* const action = group->addAction(menu->addAction(tool.name));
+  action->setIcon(IconOf(tool.button));
+  action->setIconVisibleInMenu(false); // menus show which tool is chosen there
+  action->setCheckable(true);
+  action->setChecked(tool.button == LeftButton::Turn);
+  action->setShortcut(QKeySequence(tool.key));
+  action->setToolTip(tr("%1 (%2)").arg(tool.tip, action->shortcut().toString()));
+  action->setStatusTip(tool.tip);
+  connect(action, &QAction::triggered, this,
+    [this, button = tool.button] { emit this->ToolChosen(button); });
+  return action;
+}
+
+void ToolMenu::AddComparisons()
+{
+  auto* const comparisons = new QActionGroup(this);
+  const std::tuple<QString, std::optional<MapperKind>> kinds[] = {
+    { tr("&No comparison"), std::nullopt },
+    { tr("Compare with VTK's &GPU mapper"), MapperKind::VtkGpu },
+    { tr("Compare with VTK's CP&U mapper"), MapperKind::VtkCpu },
+  };
+  for (const auto& [name, kind] : kinds)
+  {
+    QAction* const action = comparisons->addAction(this->addAction(name));
+    action->setCheckable(true);
+    action->setChecked(!kind);
+    connect(action, &QAction::triggered, this,
+      [this, kind = kind] { emit this->ComparisonChosen(kind); });
+  }
+  QAction* const wipe = this->addAction(tr("W&ipe between them"));
+  wipe->setCheckable(true);
+  wipe->setStatusTip(tr("Both images in one place, with a divider to drag"));
+  connect(wipe, &QAction::toggled, this, &ToolMenu::WipeChosen);
+  this->addAction(tr("Benc&hmark…"), this, &ToolMenu::BenchmarkWanted)->setObjectName("benchmark");
 }
 
 }

@@ -1,11 +1,17 @@
-#ifndef Varimarch_Viewer_ViewMenu_h
-#define Varimarch_Viewer_ViewMenu_h
+#ifndef Varimarch_Viewer_Menus_h
+#define Varimarch_Viewer_Menus_h
 
 #include "Viewer/Model/SceneModel.h"
+#include "Viewer/Tools/MouseTools.h"
 #include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/ViewLayout.h"
 
 #include <QMenu>
+
+#include <optional>
+
+class QActionGroup;
+class QMainWindow;
 
 namespace varimarch
 {
@@ -44,6 +50,34 @@ private:
   SceneModel* model;
   ViewLayout* layout;
   QMenu* panels;
+};
+
+/// The Tools menu: the tools of the left mouse button, which are in a tool bar of the window too,
+/// key images, and comparisons.
+class ToolMenu : public QMenu
+{
+  Q_OBJECT
+
+public:
+  explicit ToolMenu(QMainWindow* window);
+
+signals:
+  void ToolChosen(varimarch::LeftButton button);
+  void KeyImageWanted();
+  /// @param kind  the mapper to compare with; std::nullopt for none
+  void ComparisonChosen(std::optional<varimarch::MapperKind> kind);
+  void WipeChosen(bool isOn);
+  void BenchmarkWanted();
+
+private:
+  struct Tool;
+
+  void AddTools();
+  void AddAnnotations(QMenu* menu, QActionGroup* group);
+  void AddComparisons();
+  QAction* AddTool(const Tool& tool, QMenu* menu, QActionGroup* group);
+
+  QMainWindow* window;
 };
 
 }

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Viewer_Tour_h
-#define Varimarch_Viewer_Tour_h
+#ifndef Varimarch_Viewer_HelpActions_h
+#define Varimarch_Viewer_HelpActions_h
 
 #include <QDialog>
 #include <QPointer>
@@ -9,6 +9,8 @@
 #include <vector>
 
 class QLabel;
+class QMainWindow;
+class QMenu;
 class QPushButton;
 
 namespace varimarch
@@ -52,6 +54,41 @@ private:
   QLabel* text;
   QPushButton* back;
   QPushButton* next;
+};
+
+/// The Help menu: commands, keys, the tour, languages, the log, and the notice that the program is
+/// not for diagnostic use.
+class HelpActions : public QObject
+{
+  Q_OBJECT
+
+public:
+  /// Views that the tour shows, beside panels.
+  struct TourPlaces
+  {
+    QWidget* volume;
+    QWidget* slice;
+  };
+
+  HelpActions(const TourPlaces& places, QMainWindow* window);
+
+  void AddTo(QMenu* menu);
+  void ShowTour();
+
+  /// Shows the notice, once per user.
+  void ShowNoticeOnce();
+
+signals:
+  /// The tour needs a volume.
+  void TourBegins();
+
+private:
+  void FillLanguages(QMenu* menu);
+  std::vector<TourStep> TourSteps();
+  void ShowAbout();
+
+  TourPlaces places;
+  QMainWindow* window;
 };
 
 }
