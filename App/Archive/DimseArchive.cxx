@@ -1,23 +1,163 @@
-#include "Archive/DimseArchive.h"
+#include "Archive/Archive.h"
 
 #include "Archive/Association.h"
-#include "Archive/ReturnPort.h"
 
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmnet/diutil.h>
+#include <dcmtk/dcmnet/dstorscp.h>
+#include <dcmtk/dcmtls/tlslayer.h>
 #include <dcmtk/oflog/oflog.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <thread>
+
+class DcmTransportLayer;
 
 namespace varimarch
 {
 
 namespace
 {
+
+/// A port at which images arrive that C-MOVE has asked for, as long as this object lives. It takes
+/// images only from a program with the title of the archive, for our own title. If the archive is
+/// reached by TLS, it must use TLS here too, with a certificate that we trust for it.
+class ReturnPort
+{
+public:
+  /// @param progress  counts the images; must outlive this object
+  /// @throws std::runtime_error with a sentence if the port is in use, or our certificate is unfit
+  ReturnPort(const ArchiveAddress& address, DimseProgress& progress);
+  ~ReturnPort();
+  ReturnPort(const ReturnPort&) = delete;
+  void operator=(const ReturnPort&) = delete;
+
+private:
+  class Receiver;
+
+  std::unique_ptr<DcmTransportLayer> encryption; ///< null without TLS; must outlive the receiver
+  std::unique_ptr<Receiver> receiver;
+  std::thread thread;
+};
+
+[[noreturn]] void Fail(const ArchiveAddress& address, const std::string& reason)
+{
+  throw std::runtime_error("The archive \"" + address.url + "\" cannot be used: " + reason + ".");
+}
+
+// TLS as the archive is reached by; null if it is reached without.
+std::unique_ptr<DcmTransportLayer> EncryptionFor(const ArchiveAddress& address)
+{
+  if (!DimseEndpointOf(address).isEncrypted)
+  {
+    return nullptr;
+  }
+  auto layer = std::make_unique<DcmTLSTransportLayer>(NET_ACCEPTOR, nullptr, OFTrue);
+  const char* const own = address.ownCertificate.c_str();
+  layer->setPrivateKeyPasswd(""); // DCMTK would ask for one
+  const bool isReady = layer->setPrivateKeyFile(own, DCF_Filetype_PEM).good() &&
+    layer->setCertificateFile(own, DCF_Filetype_PEM).good() &&
+    layer->checkPrivateKeyMatchesCertificate() &&
+    layer->addTrustedCertificateFile(address.certificate.c_str(), DCF_Filetype_PEM).good() &&
+    layer->setTLSProfile(TSP_Profile_BCP195).good() && layer->activateCipherSuites().good();
+  if (!isReady)
+  {
+    Fail(address,
+      "the certificate and the private key in \"" + address.ownCertificate +
+        "\" do not fit each other or TLS");
+  }
+  layer->setCertificateVerification(DCV_requireCertificate);
+  return layer;
+}
+
+// DCMTK's server, which stores images under our names.
+class ReturnPort::Receiver : public DcmStorageSCP
+{
+public:
+  Receiver(const ArchiveAddress& address, DcmTransportLayer* encryption, DimseProgress& progress)
+    : archiveTitle(DimseEndpointOf(address).title)
+    , ownTitle(address.ownTitle)
+    , progress(progress)
+  {
+    const auto patience = Uint32(std::ceil(address.patience));
+    this->setPort(Uint16(address.returnPort));
+    this->setAETitle(address.ownTitle.c_str());
+    this->setOutputDirectory(progress.folder.c_str());
+    this->setDatasetStorageMode(DGM_StoreBitPreserving);
+    this->setConnectionBlockingMode(DUL_NOBLOCK);
+    this->setConnectionTimeout(1);
+    this->setDIMSEBlockingMode(DIMSE_NONBLOCKING);
+    this->setDIMSETimeout(patience);
+    this->setACSETimeout(patience);
+    this->setHostLookupEnabled(OFFalse);
+    this->getConfig().setTransportLayer(encryption);
+    OFList<OFString> syntaxes;
+    for (const auto& some : { PlainSyntaxes(), CompressedSyntaxes() })
+    {
+      for (const std::string& syntax : some)
+      {
+        syntaxes.push_back(syntax.c_str());
+      }
+    }
+    for (const std::string& objectClass : ImageClasses())
+    {
+      this->addPresentationContext(objectClass.c_str(), syntaxes);
+    }
+  }
+
+  std::atomic<bool> stop{ false };
+
+private:
+  OFBool stopAfterCurrentAssociation() override { return this->stop; }
+  OFBool stopAfterConnectionTimeout() override { return this->stop; }
+
+  OFBool checkCalledAETitleAccepted(const OFString& title) override
+  {
+    return this->ownTitle == title.c_str();
+  }
+  OFBool checkCallingAETitleAccepted(const OFString& title) override
+  {
+    return this->archiveTitle == title.c_str();
+  }
+
+  OFCondition generateSTORERequestFilename(const T_DIMSE_C_StoreRQ&, OFString& filename) override
+  {
+    filename = this->progress.NextFile().c_str();
+    return this->progress.IsOver() ? EC_IllegalCall : EC_Normal; // a fault ends the association
+  }
+
+  std::string archiveTitle;
+  std::string ownTitle;
+  DimseProgress& progress;
+};
+
+ReturnPort::ReturnPort(const ArchiveAddress& address, DimseProgress& progress)
+  : encryption(EncryptionFor(address))
+  , receiver(std::make_unique<Receiver>(address, this->encryption.get(), progress))
+{
+  if (this->receiver->openListenPort().bad())
+  {
+    Fail(address,
+      "its images cannot arrive at the port " + std::to_string(address.returnPort) +
+        ", which another program uses; choose another");
+  }
+  this->thread = std::thread([this] { this->receiver->acceptAssociations(); });
+}
+
+// The thread looks every second whether to stop.
+ReturnPort::~ReturnPort()
+{
+  this->receiver->stop = true;
+  this->thread.join();
+}
 
 constexpr const char* FindClass = UID_FINDStudyRootQueryRetrieveInformationModel;
 constexpr const char* GetClass = UID_GETStudyRootQueryRetrieveInformationModel;
@@ -211,7 +351,26 @@ DimseContext ContextOfFile(const std::string& path)
   return { objectClass.c_str(), { syntax.c_str() } };
 }
 
-}
+/// An archive that speaks DICOM's own protocol (PS3.7), by DCMTK: C-ECHO, C-FIND in the model
+/// "Study Root", C-GET or C-MOVE, and C-STORE. Images are written as they come, and parsed by
+/// nobody.
+class DimseArchive : public Archive
+{
+public:
+  explicit DimseArchive(const ArchiveAddress& address);
+
+  void Check(const ArchiveProgress& progress) override;
+  std::vector<ArchiveStudy> FindStudies(
+    const ArchiveQuery& query, const ArchiveProgress& progress) override;
+  std::vector<ArchiveSeries> FindSeries(
+    const std::string& study, const ArchiveProgress& progress) override;
+  int Fetch(const std::string& study, const std::string& series, const std::string& folder,
+    const ArchiveProgress& progress) override;
+  void Send(const std::vector<std::string>& files, const ArchiveProgress& progress) override;
+
+private:
+  ArchiveAddress address;
+};
 
 DimseArchive::DimseArchive(const ArchiveAddress& address)
   : address(address)
@@ -335,6 +494,13 @@ void DimseArchive::Send(const std::vector<std::string>& files, const ArchiveProg
     ++progress.imageCount;
     --progress.remaining;
   }
+}
+
+}
+
+std::unique_ptr<Archive> DimseArchiveAt(const ArchiveAddress& address)
+{
+  return std::make_unique<DimseArchive>(address);
 }
 
 }

@@ -4,7 +4,6 @@
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Results.h"
 #include "Core/Fields/VariationField.h"
-#include "Scene/Canvas.h"
 #include "Scene/DifferencePicture.h"
 #include "Scene/ImageFiles.h"
 #include "Scene/OffscreenView.h"

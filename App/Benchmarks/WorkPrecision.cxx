@@ -7,7 +7,6 @@
 #include "CommandLine/SceneArguments.h"
 #include "CommandLine/VtkMessages.h"
 #include "Core/Quality/ImageError.h"
-#include "Scene/Canvas.h"
 #include "Scene/DifferencePicture.h"
 #include "Scene/ImageFiles.h"
 #include "Scene/Median.h"

@@ -6,7 +6,6 @@
 #include "OutputFolder.h"
 #include "Progress.h"
 #include "Results.h"
-#include "Scene/ComparisonSheet.h"
 #include "Scene/DifferencePicture.h"
 #include "Scene/ImageFiles.h"
 #include "Scene/OutputFile.h"

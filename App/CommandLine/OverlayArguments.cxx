@@ -3,7 +3,7 @@
 #include "LabelArguments.h"
 #include "Messages.h"
 #include "Scene/ImageStatistics.h"
-#include "Scene/Overlaying.h"
+#include "Scene/Placing.h"
 #include "UsageError.h"
 #include "VolumeArguments.h"
 

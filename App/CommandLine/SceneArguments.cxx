@@ -4,7 +4,6 @@
 #include "Scene/ImageStatistics.h"
 #include "Scene/LabelMap.h"
 #include "Scene/LookFiles.h"
-#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneLights.h"

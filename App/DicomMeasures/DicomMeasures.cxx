@@ -2,7 +2,6 @@
 
 #include "DicomSegments/ScanImages.h"
 #include "Scene/MeasureKinds.h"
-#include "Scene/MeasureUnits.h"
 #include "Scene/OutputFile.h"
 #include "Scene/VolumeLoading.h"
 

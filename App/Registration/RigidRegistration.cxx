@@ -2,7 +2,7 @@
 
 #include "Scene/Placing.h"
 #include "Scene/SceneCuts.h"
-#include "Scene/SmallCopy.h"
+#include "Scene/VolumeLoading.h"
 #include "Scene/WorldVector.h"
 
 #include <itkCommand.h>

@@ -1,6 +1,9 @@
 #include "Scene/DifferencePicture.h"
 
-#include "Scene/Canvas.h"
+#include <vtkNew.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +92,118 @@ vtkSmartPointer<vtkImageData> WithDifferenceScale(vtkImageData* differencePictur
   canvas.Put(differencePicture, 0, DifferenceScaleHeight);
   DrawDifferenceScale(canvas, 0, 0, size[0]);
   return canvas.Picture();
+}
+
+vtkSmartPointer<vtkImageData> ComparisonSheet(const std::vector<SheetColumn>& columns)
+{
+  constexpr int Gap = 8;
+  constexpr int TitleHeight = 48;
+  constexpr int NarrowestColumn = 340; // so that the texts fit
+  const int* size = columns.front().picture->GetDimensions();
+  const int columnWidth = std::max(size[0], NarrowestColumn);
+  const int width = Gap + int(columns.size()) * (columnWidth + Gap);
+  const int lowerRow = std::max(size[1], DifferenceScaleHeight);
+  const int height = 3 * Gap + TitleHeight + size[1] + lowerRow;
+
+  Canvas canvas(width, height, { 255, 255, 255 });
+  int left = Gap;
+  for (const SheetColumn& column : columns)
+  {
+    const int middle = left + columnWidth / 2;
+    canvas.Write(column.title, middle, height - 24, 16, Canvas::Anchor::Middle);
+    canvas.Write(column.subtitle, middle, height - 44, 13, Canvas::Anchor::Middle);
+    canvas.Put(column.picture, middle - size[0] / 2, 2 * Gap + lowerRow);
+    if (column.difference)
+    {
+      canvas.Put(column.difference, middle - size[0] / 2, Gap);
+    }
+    else
+    {
+      DrawDifferenceScale(canvas, left, Gap + (lowerRow - DifferenceScaleHeight) / 2, columnWidth);
+    }
+    left += columnWidth + Gap;
+  }
+  return canvas.Picture();
+}
+
+Canvas::Canvas(int width, int height, const Rgb& background)
+  : picture(vtkSmartPointer<vtkImageData>::New())
+{
+  this->picture->SetDimensions(width, height, 1);
+  this->picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      this->SetPixel(x, y, background);
+    }
+  }
+}
+
+void Canvas::SetPixel(int x, int y, const Rgb& color)
+{
+  const int* size = this->picture->GetDimensions();
+  if (x >= 0 && y >= 0 && x < size[0] && y < size[1])
+  {
+    std::copy(color.begin(), color.end(),
+      static_cast<unsigned char*>(this->picture->GetScalarPointer(x, y, 0)));
+  }
+}
+
+void Canvas::BlendPixel(int x, int y, const unsigned char* rgba)
+{
+  const int* size = this->picture->GetDimensions();
+  if (x < 0 || y < 0 || x >= size[0] || y >= size[1])
+  {
+    return;
+  }
+  auto* pixel = static_cast<unsigned char*>(this->picture->GetScalarPointer(x, y, 0));
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const int mixed = rgba[channel] * rgba[3] + pixel[channel] * (255 - rgba[3]);
+    pixel[channel] = static_cast<unsigned char>((mixed + 127) / 255);
+  }
+}
+
+void Canvas::Put(vtkImageData* bytePicture, int left, int bottom)
+{
+  const int* size = bytePicture->GetDimensions();
+  const auto* rgb = static_cast<const unsigned char*>(bytePicture->GetScalarPointer());
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x, rgb += 3)
+    {
+      this->SetPixel(left + x, bottom + y, { rgb[0], rgb[1], rgb[2] });
+    }
+  }
+}
+
+void Canvas::Write(const std::string& text, int x, int bottom, int fontSize, Anchor anchor)
+{
+  constexpr int PointsPerInch = 72; // makes the font size a number of pixels
+  vtkNew<vtkTextProperty> font;
+  font->SetFontFamilyToArial();
+  font->SetFontSize(fontSize);
+  font->SetColor(0.1, 0.1, 0.1);
+  const auto words = vtkSmartPointer<vtkImageData>::New();
+  int size[2];
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  if (!renderer->RenderString(
+        font, vtkStdString(text), words, size, PointsPerInch, vtkTextRenderer::FreeType))
+  {
+    return;
+  }
+  const int shift = anchor == Anchor::Left ? 0 : anchor == Anchor::Middle ? size[0] / 2 : size[0];
+  for (int row = 0; row < size[1]; ++row)
+  {
+    for (int column = 0; column < size[0]; ++column)
+    {
+      const int* extent = words->GetExtent();
+      const auto* rgba = static_cast<unsigned char*>(
+        words->GetScalarPointer(extent[0] + column, extent[2] + row, 0));
+      this->BlendPixel(x - shift + column, bottom + row, rgba);
+    }
+  }
 }
 
 }

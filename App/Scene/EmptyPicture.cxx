@@ -1,8 +1,8 @@
 #include "Scene/EmptyPicture.h"
 
 #include "Scene/ImageStatistics.h"
-#include "Scene/LookChannels.h"
 #include "Scene/SceneCuts.h"
+#include "Scene/VolumeProperty.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>

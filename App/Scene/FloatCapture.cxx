@@ -1,17 +1,19 @@
 #include "Scene/FloatCapture.h"
 
-#include "Scene/StopCheck.h"
 #include "VtkVersions.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkRect.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace varimarch
 {
@@ -132,6 +134,32 @@ vtkSmartPointer<vtkImageData> CaptureFloatImage(
     capture.RenderRows(BandRows);
   }
   return goesOn ? capture.Image() : nullptr;
+}
+
+StopCheck::StopCheck(vtkRenderWindow* window, std::function<bool()> isWanted)
+  : window(window)
+  , isWanted(std::move(isWanted))
+{
+  this->command->SetClientData(this);
+  this->command->SetCallback(
+    [](vtkObject*, unsigned long, void* self, void*) { static_cast<StopCheck*>(self)->Check(); });
+  window->SetAbortRender(0);
+  window->AddObserver(vtkCommand::AbortCheckEvent, this->command);
+}
+
+StopCheck::~StopCheck()
+{
+  this->window->RemoveObserver(this->command);
+  this->window->SetAbortRender(0);
+}
+
+void StopCheck::Check()
+{
+  if (!this->isWanted())
+  {
+    this->window->SetAbortRender(1);
+  }
+  this->window->MakeCurrent();
 }
 
 }

@@ -9,7 +9,9 @@
 #include <array>
 #include <functional>
 
+class vtkCallbackCommand;
 class vtkOpenGLRenderWindow;
+class vtkRenderWindow;
 class vtkRenderer;
 
 namespace varimarch
@@ -50,6 +52,27 @@ private:
 /// @throws std::runtime_error if the driver does not support such a framebuffer
 vtkSmartPointer<vtkImageData> CaptureFloatImage(vtkOpenGLRenderWindow* window,
   vtkRenderer* renderer, const std::function<bool(double)>& onBand = nullptr);
+
+/// Stops what a window draws, during a search for the steps that keep a tolerance, once a function
+/// says so, for the lifetime of this object. The window asks a few times per second. A drawing that
+/// was stopped leaves no image.
+class StopCheck
+{
+public:
+  /// @param window    which outlives this object
+  /// @param isWanted  may make another context current
+  StopCheck(vtkRenderWindow* window, std::function<bool()> isWanted);
+  ~StopCheck();
+  StopCheck(const StopCheck&) = delete;
+  StopCheck& operator=(const StopCheck&) = delete;
+
+private:
+  void Check();
+
+  vtkRenderWindow* window;
+  std::function<bool()> isWanted;
+  vtkNew<vtkCallbackCommand> command;
+};
 
 }
 

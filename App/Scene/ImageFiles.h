@@ -2,17 +2,32 @@
 #define Varimarch_Scene_ImageFiles_h
 
 #include "Scene/Scene.h"
-#include "Scene/SecondaryCapture.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
 namespace varimarch
 {
+
+/// Attributes of an image of a patient by their tags, such as 0x00100010 for the patient's name.
+/// Texts are in UTF-8.
+using CaptureIdentity = std::map<std::uint32_t, std::string>;
+
+/// Writes a byte image of RGB as a DICOM Secondary Capture Image (PS3.3 A.8.1), uncompressed, in
+/// explicit little endian. Without an identity the image begins a study of its own, and the file
+/// holds nothing of the scan or the patient: the patient's attributes that the standard requires
+/// are empty. With one it belongs to that patient and that study.
+/// @param derivation  how the image was made, in ASCII, at most 1024 characters
+/// @param identity  only the attributes of the patient and the study are copied
+/// @returns false if the system refuses to write; errno then has its reason
+bool WriteSecondaryCapture(vtkImageData* bytePicture, const std::string& derivation,
+  const std::string& path, const CaptureIdentity& identity = {});
 
 /// Rendered images are vtkImageData with a single slice, the bottom row first. "Float" images hold
 /// premultiplied RGBA, "byte" images RGB from 0 to 255.
@@ -20,7 +35,7 @@ namespace varimarch
 enum class PictureFormat
 {
   Png,
-  Dicom, ///< a Secondary Capture Image, see SecondaryCapture.h
+  Dicom, ///< a Secondary Capture Image, see WriteSecondaryCapture
 };
 
 /// How an image was made.

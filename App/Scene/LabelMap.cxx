@@ -1,15 +1,25 @@
 #include "Scene/LabelMap.h"
 
+#include "Scene/VolumeWriters/VolumeWriters.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkDataArray.h>
 #include <vtkImageReslice.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
 #include <vtkTransform.h>
+#include <vtkVolumeProperty.h>
+#include <vtksys/SystemTools.hxx>
 
 #include <glm/geometric.hpp>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -233,6 +243,219 @@ Look LookOfLabelsOnly()
   look.colors = { { 0.0, glm::dvec3(1.0) } };
   look.opacities = { { 0.0, 0.0 } };
   return look;
+}
+
+namespace
+{
+
+/// Value in a mask of the voxels that scissors remove. VTK's mapper expects labels without gaps.
+int RemovedNumber(const LabelMap& labels)
+{
+  return int(labels.segments.size()) + 1;
+}
+
+vtkSmartPointer<vtkPiecewiseFunction> Constant(double value)
+{
+  auto function = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  function->AddPoint(0.0, value);
+  return function;
+}
+
+// The opacity of a unit distance of a segment whose mean thickness has the given opacity. A voxel
+// lets at least a level of 8 bits through: the steps along rays would have to be far shorter in
+// front of an edge that is harder than that.
+double OpacityOfUnitDistance(
+  double opacity, double thicknessMm, vtkImageData* image, double unitDistanceMm)
+{
+  constexpr double LeastTransmittance = 1.0 / 256.0;
+  const double* const spacing = image->GetSpacing();
+  const double most = -std::log(LeastTransmittance) / *std::min_element(spacing, spacing + 3);
+  const double extinction = thicknessMm > 0.0 ? -std::log1p(-opacity) / thicknessMm : 0.0;
+  return -std::expm1(-std::min(extinction, most) * unitDistanceMm);
+}
+
+void ApplyOwnFunctions(
+  int number, const Segment& segment, double opacity, vtkVolumeProperty* property)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(0.0, segment.rgb.r, segment.rgb.g, segment.rgb.b);
+  property->SetLabelColor(number, color);
+  property->SetLabelScalarOpacity(number, Constant(opacity));
+  if (property->HasGradientOpacity())
+  {
+    property->SetLabelGradientOpacity(number, Constant(1.0));
+  }
+}
+
+// Labels without functions of their own would change the rows of the mask, and so its upload. A
+// label cannot have a function of two values.
+void ApplyFunctionsOfLook(int number, vtkVolumeProperty* property)
+{
+  property->SetLabelColor(number, property->GetRGBTransferFunction());
+  property->SetLabelScalarOpacity(number, property->GetScalarOpacity());
+  if (property->HasGradientOpacity())
+  {
+    property->SetLabelGradientOpacity(number, property->GetGradientOpacity());
+  }
+}
+
+// For each voxel along an axis, the voxel of a coarser mask of the same box.
+std::vector<vtkIdType> Coarser(int count, int coarseCount)
+{
+  std::vector<vtkIdType> indices;
+  for (int i = 0; i < count; ++i)
+  {
+    indices.push_back(
+      std::min(vtkIdType((i + 0.5) / count * coarseCount), vtkIdType(coarseCount - 1)));
+  }
+  return indices;
+}
+
+}
+
+void ApplySegments(
+  const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property)
+{
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    if (segments[i].visible)
+    {
+      const double opacity = OpacityOfUnitDistance(segments[i].opacity, labels.sizes[i].thicknessMm,
+        labels.image, property->GetScalarOpacityUnitDistance());
+      ApplyOwnFunctions(int(i + 1), segments[i], opacity, property);
+    }
+    else if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_2D)
+    {
+      ApplyFunctionsOfLook(int(i + 1), property);
+    }
+  }
+  ApplyFunctionsOfLook(RemovedNumber(labels), property);
+  property->SetLabelScalarOpacity(RemovedNumber(labels), Constant(0.0));
+}
+
+void ApplySegmentsByNumber(
+  const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property)
+{
+  constexpr double UnitDistanceMm = 1.0;
+  vtkNew<vtkColorTransferFunction> color;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(RemovedNumber(labels), 0.0);
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const Segment& segment = segments[i];
+    const double ofDistance = segment.visible
+      ? OpacityOfUnitDistance(
+          segment.opacity, labels.sizes[i].thicknessMm, labels.image, UnitDistanceMm)
+      : 0.0;
+    color->AddRGBPoint(double(i + 1), segment.rgb.r, segment.rgb.g, segment.rgb.b);
+    opacity->AddPoint(double(i + 1), ofDistance);
+  }
+  property->SetColor(color);
+  property->SetScalarOpacity(opacity);
+  property->SetScalarOpacityUnitDistance(UnitDistanceMm);
+}
+
+vtkSmartPointer<vtkImageData> LabelMask(const LabelMap& labels, vtkImageData* kept)
+{
+  if (!kept)
+  {
+    return labels.image;
+  }
+  auto mask = vtkSmartPointer<vtkImageData>::New();
+  mask->DeepCopy(labels.image);
+  const int* const size = mask->GetDimensions();
+  const int* const keptSize = kept->GetDimensions();
+  std::array<std::vector<vtkIdType>, 3> coarser;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    coarser[axis] = Coarser(size[axis], keptSize[axis]);
+  }
+  const auto removed = static_cast<unsigned char>(RemovedNumber(labels));
+  auto* const voxels = static_cast<unsigned char*>(mask->GetScalarPointer());
+  const auto* const isKept = static_cast<const unsigned char*>(kept->GetScalarPointer());
+  tbb::parallel_for(0, size[2],
+    [&](int z)
+    {
+      for (int y = 0; y < size[1]; ++y)
+      {
+        unsigned char* const row = voxels + (vtkIdType(z) * size[1] + y) * size[0];
+        const unsigned char* const keptRow =
+          isKept + (coarser[2][z] * keptSize[1] + coarser[1][y]) * keptSize[0];
+        for (int x = 0; x < size[0]; ++x)
+        {
+          row[x] = keptRow[coarser[0][x]] ? row[x] : removed;
+        }
+      }
+    });
+  return mask;
+}
+
+namespace
+{
+
+void RequireKnownEnding(const std::string& path)
+{
+  const auto endings = { ".seg.nrrd", ".nii", ".nii.gz" };
+  const bool isKnown = std::any_of(endings.begin(), endings.end(),
+    [&](const char* ending) { return vtksys::SystemTools::StringEndsWith(path, ending); });
+  if (!isKnown)
+  {
+    throw std::runtime_error(
+      path + ": expected a name that ends with .seg.nrrd, .nii or .nii.gz; choose one");
+  }
+}
+
+// The values of the segments instead of their numbers.
+vtkSmartPointer<vtkImageData> ValuesOf(vtkImageData* numbers, const std::vector<Segment>& segments)
+{
+  const bool areBytes = std::all_of(segments.begin(), segments.end(),
+    [](const Segment& segment) { return segment.value > 0 && segment.value <= 255; });
+  auto values = vtkSmartPointer<vtkImageData>::New();
+  values->CopyStructure(numbers);
+  values->AllocateScalars(areBytes ? VTK_UNSIGNED_CHAR : VTK_INT, 1);
+  vtkDataArray* const scalars = values->GetPointData()->GetScalars();
+  const auto* const number = static_cast<const unsigned char*>(numbers->GetScalarPointer());
+  for (vtkIdType voxel = 0; voxel < numbers->GetNumberOfPoints(); ++voxel)
+  {
+    scalars->SetComponent(voxel, 0, number[voxel] > 0 ? segments[number[voxel] - 1].value : 0);
+  }
+  return values;
+}
+
+}
+
+void RequireNoFileOf(const std::vector<VolumeSource>& scans, const std::string& path)
+{
+  std::error_code unknown;
+  const auto file = std::filesystem::weakly_canonical(path, unknown);
+  for (const VolumeSource& scan : scans)
+  {
+    const auto* const source = std::get_if<FileSource>(&scan);
+    if (!source || !std::filesystem::exists(file, unknown))
+    {
+      continue;
+    }
+    auto place = std::filesystem::weakly_canonical(source->path, unknown);
+    place = place.has_filename() ? place : place.parent_path(); // "folder/"
+    // All of the path of the scan is the beginning of the path of one of its files.
+    if (std::mismatch(place.begin(), place.end(), file.begin(), file.end()).first == place.end())
+    {
+      throw std::runtime_error(
+        path + ": this is a file of the scan, which is not replaced; choose another name");
+    }
+  }
+}
+
+std::vector<std::string> WriteSegments(const LabelMap& labels, const std::vector<Segment>& segments,
+  const std::vector<VolumeSource>& scans, const std::string& path)
+{
+  RequireKnownEnding(path);
+  RequireNoFileOf(scans, path);
+  LoadedVolume volume;
+  volume.image = ValuesOf(labels.image, segments);
+  volume.segments = segments;
+  return WriteVolume(volume, path);
 }
 
 }

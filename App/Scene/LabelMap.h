@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+class vtkVolumeProperty;
+
 namespace varimarch
 {
 
@@ -47,6 +49,40 @@ void TakeAppearance(const std::vector<Segment>& ofScene, const std::string& path
 
 /// A look that draws nothing but labels, for a segmentation without its scan.
 Look LookOfLabelsOnly();
+
+// Drawing of segments by the label map masks of VTK's mappers. A visible segment has one colour and
+// one opacity, whatever the values of the scan. The rest is drawn as the look says.
+
+/// Gives each segment of a label map its functions.
+/// @param property  has the functions of a look
+/// @param segments  as many as the labels have, in their order
+void ApplySegments(
+  const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property);
+
+/// Gives a volume of its own, whose values are the numbers of the segments and whose voxels are
+/// boxes, the colours and opacities of the visible ones, where a mapper has no masks.
+void ApplySegmentsByNumber(
+  const LabelMap& labels, const std::vector<Segment>& segments, vtkVolumeProperty* property);
+
+/// The mask of a mapper for labels, without what scissors remove.
+/// @param kept  as MaskOf in SceneCuts.h returns it; may be null
+vtkSmartPointer<vtkImageData> LabelMask(const LabelMap& labels, vtkImageData* kept);
+
+/// Refuses to replace a file of a scan.
+/// @throws std::runtime_error with one sentence if the path is the file of a scan, or an existing
+///         file in the folder of one
+void RequireNoFileOf(const std::vector<VolumeSource>& scans, const std::string& path);
+
+/// Writes the segments of a scan as a label map on its grid: a ".seg.nrrd" of 3D Slicer with names
+/// and colours, or NIfTI (".nii", ".nii.gz") with the values alone.
+/// @param segments  of the labels, with the names and colours to write
+/// @param scans     sources of the volume and of those over it, whose files are never replaced
+/// @return sentences about what the format does not hold
+/// @throws std::runtime_error with one sentence for another extension, for the file of a scan, or
+/// if
+///         the file cannot be written
+std::vector<std::string> WriteSegments(const LabelMap& labels, const std::vector<Segment>& segments,
+  const std::vector<VolumeSource>& scans, const std::string& path);
 
 }
 

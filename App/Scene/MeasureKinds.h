@@ -1,12 +1,14 @@
 #ifndef Varimarch_Scene_MeasureKinds_h
 #define Varimarch_Scene_MeasureKinds_h
 
+#include "Scene/Placing.h"
 #include "Scene/RegionStatistics.h"
-#include "Scene/SceneMeasures.h"
+#include "Scene/Scene.h"
 
 #include <glm/vec3.hpp>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -21,7 +23,7 @@ struct MeasureValues
   std::optional<double> degrees = {};
   std::optional<double> areaMm2 = {};
   std::optional<double> volumeMm3 = {};
-  /// Voxels of a box, see BoxStatistics.h, or pixels of a region, see FlatRegion.h.
+  /// Voxels of a box, see StatisticsOfBox, or pixels of a region, see StatisticsOfFlatRegion.
   std::optional<RegionStatistics> statistics = {};
 };
 
@@ -88,6 +90,26 @@ std::size_t HandleCount(const Measure& measure);
 
 /// Moves one of these points, and those that it takes with it.
 void MovePoint(Measure& measure, int point, const glm::dvec3& stepMm);
+
+struct LoadedVolume;
+
+/// The unit of a volume's values: "HU", "SUV", or empty if it is not known.
+std::string UnitOf(const LoadedVolume& volume);
+
+/// The factor from the volume's values to that unit, > 0.
+double FactorToUnit(const LoadedVolume& volume);
+
+/// Statistics in that unit: uptake values where they are known.
+RegionStatistics InUnits(RegionStatistics statistics, const LoadedVolume& volume);
+MeasureValues InUnits(MeasureValues values, const LoadedVolume& volume);
+
+/// A header line, then a line per measurement: its number, kind as in scene files, name, numbers
+/// with their units, and points in LPS, "x y z; x y z". Statistics are in HU for CT, in SUV where
+/// that is known, and otherwise in the units of the data. Numbers that a kind does not have are
+/// empty. Numbers are written as in C. Statistics of the volumes over the first one are in lines of
+/// their own, with the number of the volume.
+std::string CsvOf(const std::vector<Measure>& measures, const LoadedVolume& volume,
+  const std::vector<PlacedVolume>& over = {});
 
 }
 

@@ -2,7 +2,6 @@
 
 #include "Scene/EmptyPicture.h"
 #include "Scene/FloatCapture.h"
-#include "Scene/StopCheck.h"
 
 #include <vtkVariationFieldVolumeMapper.h>
 #include <vtkWindowToImageFilter.h>

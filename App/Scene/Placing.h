@@ -2,6 +2,7 @@
 #define Varimarch_Scene_Placing_h
 
 #include "Scene/Scene.h"
+#include "Scene/VolumeLoading.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -12,8 +13,6 @@
 
 namespace varimarch
 {
-
-struct LoadedVolume;
 
 /// A volume over the first one.
 struct PlacedVolume
@@ -39,6 +38,23 @@ Placement PlacementOf(const glm::dmat4& worldFromPatient, vtkImageData* image);
 
 /// The same voxels where a placement puts them. The scalars are shared.
 vtkSmartPointer<vtkImageData> Placed(vtkImageData* image, const Placement& placement);
+
+class ImageStatistics;
+
+/// Whether two volumes are in the same space, by the frames of reference of their files.
+enum class CommonSpace
+{
+  Same,
+  Different,
+  Unknown, ///< a file does not say
+};
+
+CommonSpace SpaceOf(const LoadedVolume& first, const LoadedVolume& other);
+
+/// A volume to draw over another, with the look that suits it: PET is hot in 3D and in slices, and
+/// other volumes have the composite that resembles their suggested preset.
+OverlaidVolume OverlayOf(
+  const VolumeSource& source, const LoadedVolume& volume, const ImageStatistics& statistics);
 
 }
 

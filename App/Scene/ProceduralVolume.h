@@ -18,7 +18,7 @@ namespace varimarch
 /// - Marschner-Lobb: float in [0, 1], 100 mm cube: S. Marschner and R. Lobb, "An Evaluation of
 ///   Reconstruction Filters for Volume Rendering", Proc. IEEE Visualization 1994, p. 102, with
 ///   f_M = 6 and alpha = 0.25. The paper's 41^3 voxels sample it just finely enough.
-/// - Torso: int16 in Hounsfield units, see TorsoPhantom.h.
+/// - Torso: int16 in Hounsfield units, see TorsoPhantom in ProceduralVolume.cxx.
 /// - Checkerboard: uint8, 100 mm cube. Voxels are 0 and 255 in turn along each axis, so that the
 ///   field has kinks at all faces of cells. This and the next are after K. Kim, C. Wittenbrink, A.
 ///   Pang, "Extended specifications and test data sets for data level comparisons of direct volume

@@ -1,19 +1,23 @@
 #include "Scene/ReferenceCache.h"
 
-#include "Scene/ContentDigest.h"
 #include "Scene/OutputFile.h"
 #include "Scene/ReferenceRequest.h"
 #include "Scene/SceneFile.h"
 #include "Scene/VolumeProperty.h"
 
+#include <vtksys/MD5.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -23,6 +27,65 @@ namespace varimarch
 
 namespace
 {
+
+/// MD5 digest of a sequence of values, for cache keys and to detect damaged files. Not for
+/// security.
+class ContentDigest
+{
+public:
+  ContentDigest();
+  ~ContentDigest();
+  ContentDigest(const ContentDigest&) = delete;
+  void operator=(const ContentDigest&) = delete;
+
+  void AddBytes(const void* bytes, std::size_t count);
+
+  /// Adds the bits of a number or enumerator.
+  template <class Number>
+  void Add(Number number)
+  {
+    static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>);
+    this->AddBytes(&number, sizeof(number));
+  }
+
+  /// The digest as 32 hexadecimal digits. Nothing can be added afterwards.
+  std::string Text();
+
+private:
+  vtksysMD5_s* md5;
+};
+
+ContentDigest::ContentDigest()
+  : md5(vtksysMD5_New())
+{
+  vtksysMD5_Initialize(this->md5);
+}
+
+ContentDigest::~ContentDigest()
+{
+  vtksysMD5_Delete(this->md5);
+}
+
+void ContentDigest::AddBytes(const void* bytes, std::size_t count)
+{
+  // vtksysMD5_Append counts in int.
+  constexpr std::size_t most = std::size_t(1) << 30;
+  const auto* next = static_cast<const unsigned char*>(bytes);
+  while (count > 0)
+  {
+    const std::size_t part = std::min(count, most);
+    vtksysMD5_Append(this->md5, next, int(part));
+    next += part;
+    count -= part;
+  }
+}
+
+std::string ContentDigest::Text()
+{
+  std::string text(32, '\0');
+  vtksysMD5_FinalizeHex(this->md5, text.data());
+  return text;
+}
 
 /// Version of the cache. Increase it when the reference gives another image for the same request,
 /// or when the file format changes.

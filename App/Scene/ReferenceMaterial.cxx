@@ -28,13 +28,13 @@ glm::dvec3 NearestVoxel(glm::dvec3 position, glm::ivec3 dimensions)
   return glm::clamp(glm::floor(position + 0.5), glm::dvec3(0.0), glm::dvec3(dimensions - 1));
 }
 
-struct Samples
+struct VolumeSamples
 {
   std::function<double(glm::dvec3)> value;
   std::function<glm::dvec3(glm::dvec3)> gradient;
 };
 
-Samples CubicSamples(const ReferenceRequest& request)
+VolumeSamples CubicSamples(const ReferenceRequest& request)
 {
   std::vector<double> voxels(std::size_t(request.scalars->GetNumberOfTuples()));
   for (std::size_t i = 0; i < voxels.size(); ++i)
@@ -53,7 +53,7 @@ Samples CubicSamples(const ReferenceRequest& request)
 }
 
 template <class Scalar>
-Samples SamplesOf(const ReferenceRequest& request, const Scalar* voxels)
+VolumeSamples SamplesOf(const ReferenceRequest& request, const Scalar* voxels)
 {
   const ScalarGrid<Scalar> grid(voxels, request.geometry.dimensions);
   if (request.interpolation == Interpolation::Linear)
@@ -67,13 +67,13 @@ Samples SamplesOf(const ReferenceRequest& request, const Scalar* voxels)
     [grid, nearest](glm::dvec3 position) { return grid.Gradient(nearest(position)); } };
 }
 
-Samples SamplesOf(const ReferenceRequest& request)
+VolumeSamples SamplesOf(const ReferenceRequest& request)
 {
   if (request.interpolation == Interpolation::Cubic)
   {
     return CubicSamples(request);
   }
-  Samples samples;
+  VolumeSamples samples;
   switch (request.scalars->GetDataType())
   {
     vtkTemplateMacro(
@@ -96,7 +96,7 @@ ReferenceMaterial::ReferenceMaterial(
   , transmittance(std::move(transmittance))
   , gradientOpacity({}, request.gradientOpacities, 1.0)
 {
-  Samples samples = SamplesOf(request);
+  VolumeSamples samples = SamplesOf(request);
   this->value = std::move(samples.value);
   this->gradient = std::move(samples.gradient);
 }

@@ -1,8 +1,17 @@
 #ifndef Varimarch_Scene_RegionStatistics_h
 #define Varimarch_Scene_RegionStatistics_h
 
+#include "Scene/Scene.h"
+
+#include <glm/vec3.hpp>
+
+#include <array>
 #include <cstdint>
+#include <iomanip>
 #include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -44,6 +53,44 @@ private:
   double smallest = std::numeric_limits<double>::infinity();
   double largest = -std::numeric_limits<double>::infinity();
 };
+
+/// Statistics of the voxels whose centres lie in a box along the axes of a volume. A box thinner
+/// than the distance of the voxels counts those nearest to its middle.
+/// @param fromMm  two opposite corners
+/// @param grid    the volume along whose axes the box lies
+/// @param voxels  the volume whose voxels are counted, the same or one over it
+RegionStatistics StatisticsOfBox(const std::array<double, 3>& fromMm,
+  const std::array<double, 3>& toMm, vtkImageData* grid, vtkImageData* voxels);
+
+/// An outline's area times the normal of its plane [mm²]. Zero for fewer than three points.
+glm::dvec3 AreaVector(const std::vector<glm::dvec3>& outlineMm);
+
+/// Statistics of the pixels whose centres lie in an outline, by the even-odd rule. If the outline's
+/// plane faces along an axis of the volume, the pixels are the voxels of the nearest slice.
+/// Otherwise they lie in the plane as far apart as the nearest voxels of the volume, one of them at
+/// the middle of the outline's points, and have linearly interpolated values. Pixels outside the
+/// volume are left out. The statistics count pixels as voxels.
+RegionStatistics StatisticsOfFlatRegion(
+  const std::vector<glm::dvec3>& outlineMm, vtkImageData* image);
+
+/// A text as a field of a CSV table, as in RFC 4180: in quotes, and quotes within it doubled.
+inline std::string QuotedForCsv(const std::string& text)
+{
+  std::ostringstream quoted;
+  quoted << std::quoted(text, '"', '"');
+  return quoted.str();
+}
+
+/// Statistics of a scan in each segment of a label map.
+/// @param numbers  as LabelMap::image, on the grid of the scan
+/// @param count    number of segments
+std::vector<RegionStatistics> StatisticsOfSegments(
+  vtkImageData* numbers, std::size_t count, vtkImageData* scan);
+
+/// A header line, then a line per segment: "value,name,voxels,volume_ml,mean,standard_deviation,
+/// smallest,largest". Numbers are written as in C; the last four are empty without voxels.
+std::string CsvOf(
+  const std::vector<Segment>& segments, const std::vector<RegionStatistics>& statistics);
 
 }
 

@@ -3,9 +3,7 @@
 
 #include "Core/Recipe/RenderSettings.h"
 #include "Scene/SceneLook.h"
-#include "Scene/SceneMeasures.h"
-#include "Scene/SceneSlices.h"
-#include "Scene/VolumeSource.h"
+#include "Scene/SliceAxes.h"
 
 #include <array>
 #include <cstdint>
@@ -16,6 +14,128 @@
 
 namespace varimarch
 {
+
+/// How the slices of a slab combine into one image.
+enum class SlabBlend
+{
+  Maximum,
+  Minimum,
+  Mean,
+};
+
+/// How slices show the volumes over the first one.
+enum class SliceFusion
+{
+  Blend,        ///< mixed with the first volume
+  Checkerboard, ///< in every other square
+};
+
+/// The viewer's slices through the volume, along the patient's axes or turned about the crosshair.
+struct SliceSettings
+{
+  std::optional<std::array<double, 3>>
+    crosshairMm; ///< world space, LPS; empty: the middle of the volume
+  std::optional<std::array<double, 2>>
+    windowLevel;       ///< units of the data; empty: of the file, otherwise of the histogram
+  double slabMm = 0.0; ///< >= 0; 0: a single slice
+  SlabBlend slabBlend = SlabBlend::Maximum;
+  SliceFusion fusion = SliceFusion::Blend;
+  double fusionOpacity = 0.5; ///< part of the volumes over the first one in a blend, [0, 1]
+  SliceTurn turn = {};
+  /// Turns the lines across a curve about it, in the view that straightens the volume along it.
+  double curveTurnDegrees = 0.0;
+};
+
+/// Measurements and annotations; MeasureKinds.h says what each has.
+enum class MeasureKind
+{
+  Distance,
+  Angle,     ///< between two arms from a vertex
+  CobbAngle, ///< between two lines anywhere
+  Box,       ///< along the volume's axes, with statistics of its voxels
+  Ellipse,   ///< in a plane, with statistics
+  Freehand,  ///< an outline in a plane, with statistics
+  Curve,     ///< a smooth line, along which the volume can be straightened
+  Arrow,     ///< with words at its tail
+  Text,
+};
+
+/// A measurement or an annotation, drawn over the image. World space, LPS.
+struct Measure
+{
+  MeasureKind kind;
+  /// Distance, box: both ends. Angle: an end, the vertex, the other end. Cobb angle: both ends of
+  /// the first line, then of the second. Ellipse: the middle, and the ends of two conjugate
+  /// half-diameters. Freehand: the outline. Curve: the points it passes through. Arrow: the tail
+  /// and the tip. Text: its place.
+  std::vector<std::array<double, 3>> pointsMm;
+  std::string name = {}; ///< the words of an arrow or a text; may be empty
+  bool visible = true;
+};
+
+/// Far more than anybody measures by hand, and as many as older files can have.
+constexpr std::size_t MostMeasures = 3000;
+
+/// Points of an outline or a curve. Screens have fewer pixels along an edge.
+constexpr std::size_t MostMeasurePoints = 10000;
+
+/// Layout of a raw file, which the file itself does not record.
+struct RawLayout
+{
+  std::array<int, 3> dimensions = {}; ///< voxels along each axis, x fastest
+  std::string type = "uint8";         ///< one of RawTypeNames()
+  std::array<double, 3> spacingMm = { 1.0, 1.0, 1.0 };
+  bool bigEndian = false;
+  std::int64_t headerBytes = 0; ///< size of the header before the first voxel, >= 0
+};
+
+/// Kinds of volume, levels and channels of a file are at most these.
+constexpr int LargestKind = 99999;
+constexpr int LargestLevel = 99;
+constexpr int LargestChannel = 99999;
+
+struct FileSource
+{
+  std::string path;             ///< a file, or a folder with a DICOM series
+  std::optional<RawLayout> raw; ///< layout of a file without a header; otherwise empty
+  std::string series = {};      ///< which of several DICOM series, as named by vtkVolumeFileReader
+  /// True resamples tilted or unevenly spaced slices on an even grid, false keeps them as scanned;
+  /// empty resamples those that would be drawn elsewhere than they were scanned.
+  std::optional<bool> rectified = {};
+  /// Memory that the program may use [MB]: larger voxels stay in their file; 0: the machine's.
+  double memoryMegabytes = 0.0;
+  /// The level of a file with several, the finest of which is 0; empty for the finest that fits in
+  /// half of the free memory or can stay in its chunks.
+  std::optional<int> level = {};
+  /// A channel of a file with several, counted from 0; empty for all of two to four that can be
+  /// read as a whole, or else the first.
+  std::optional<int> channel = {};
+  int time = 0;                           ///< which of several times, counted from 0
+  std::optional<double> timeSeconds = {}; ///< if given, the time nearest to this one is read
+  bool filesAreTimes = false;             ///< as vtkVolumeFileReader::SetFilesAreTimes
+  int kind = 0; ///< the kind of volume in a DICOM series, counted from 1; 0: the first
+};
+
+enum class ProceduralKind
+{
+  Shells,        ///< nested spherical shells
+  MarschnerLobb, ///< the classic test signal for reconstruction
+  Torso,         ///< a CT of a torso
+  Checkerboard,  ///< voxels that all differ from their neighbours
+  Ramp,          ///< values that rise linearly
+};
+
+/// A volume that is computed: see ProceduralVolume.h.
+struct ProceduralSource
+{
+  ProceduralKind kind = ProceduralKind::Shells;
+  std::array<int, 3> dimensions = { 128, 128, 128 }; ///< each from 2 to LargestProceduralSide
+  unsigned seed = 1; ///< seed of the noise, for kinds that have noise
+};
+
+constexpr int LargestProceduralSide = 1024;
+
+using VolumeSource = std::variant<FileSource, ProceduralSource>;
 
 /// Viewing direction in the patient's terms. World space is LPS:
 /// +x left, +y posterior, +z superior.
@@ -101,7 +221,7 @@ struct SceneCuts
   std::vector<CutPlane> planes;
   std::vector<ScissorsCut> scissors;
   bool bodyOnly = false; ///< leaves out the table and all else beside the body, see BodyMask.h
-  /// Depth to which the face is cut away [mm], see FaceMask.h; 0: it stays.
+  /// Depth to which the face is cut away [mm], see BodyMask.h; 0: it stays.
   double faceDepthMm = 0.0;
 };
 
@@ -313,6 +433,34 @@ struct Scene
   std::array<int, 2> size = { 512, 512 }; ///< image size [pixels]
   std::array<double, 3> background = { 0.0, 0.0, 0.0 };
 };
+
+// The volumes of a scene by their numbers: 0 is the first, i the overlay i - 1.
+
+inline int VolumeCount(const Scene& scene)
+{
+  return 1 + int(scene.overlays.size());
+}
+
+inline const std::optional<SceneLabels>& SceneLabelsOf(const Scene& scene, int volume)
+{
+  return volume == 0 ? scene.labels : scene.overlays[volume - 1].labels;
+}
+
+inline std::optional<SceneLabels>& SceneLabelsOf(Scene& scene, int volume)
+{
+  return volume == 0 ? scene.labels : scene.overlays[volume - 1].labels;
+}
+
+inline const VolumeSource& VolumeSourceOf(const Scene& scene, int volume)
+{
+  return volume == 0 ? scene.volume : scene.overlays[volume - 1].source;
+}
+
+/// The first volume is always at its own place.
+inline Placement PlacementOf(const Scene& scene, int volume)
+{
+  return volume == 0 ? Placement() : scene.overlays[volume - 1].placement;
+}
 
 }
 

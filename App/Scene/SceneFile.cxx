@@ -1,7 +1,7 @@
 #include "Scene/SceneFile.h"
 
+#include "Scene/Scene.h"
 #include "Scene/SceneFields.h"
-#include "Scene/SceneVolumes.h"
 
 #include <nlohmann/json.hpp>
 

@@ -18,14 +18,14 @@ enum class Domain
 {
   Data,       ///< units of the data
   Relative,   ///< 0 is the data's 1st percentile, 1 its 99.9th: for MR, which has no units
-  Hounsfield, ///< Hounsfield units, also for a CT whose values are others: see HounsfieldScale.h
+  Hounsfield, ///< Hounsfield units, also for a CT whose values are others: see HounsfieldScale
 };
 
 /// Meaning of the lengths of a look: its unit distance, and those in its gradients.
 enum class Lengths
 {
   Millimetres,
-  Relative, ///< right for a patient; in other volumes as long in proportion, see LengthScale.h
+  Relative, ///< right for a patient; in other volumes as long in proportion, see LengthFactor
 };
 
 /// Blinn-Phong coefficients, as vtkVolumeProperty has them.

@@ -1,9 +1,9 @@
 #include "Scene/SceneOverlays.h"
 
 #include "Scene/ImageOrientation.h"
+#include "Scene/LabelMap.h"
 #include "Scene/LookRegions.h"
 #include "Scene/Placing.h"
-#include "Scene/SegmentDrawing.h"
 #include "Scene/VolumeColors.h"
 #include "Scene/VolumeProperty.h"
 

@@ -3,8 +3,6 @@
 #include "Core/Look/TransferFunction.h"
 #include "Scene/LookRegions.h"
 #include "Scene/SceneCuts.h"
-#include "Scene/Scissors.h"
-#include "Scene/VoxelIndex.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkImageData.h>

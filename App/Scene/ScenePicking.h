@@ -15,7 +15,7 @@ namespace varimarch
 /// is where half of the light is absorbed, for other blend modes where the opacity is largest.
 /// Empty if there is no such point. Samples are a quarter of the smallest spacing apart.
 /// @param from, to  ends of the ray in world space [mm]
-/// @param mask      the part that the scissors keep, see Scissors.h; may be null
+/// @param mask      the part that the scissors keep, see SceneCuts.h; may be null
 std::optional<std::array<double, 3>> PointSeen(const Scene& scene, vtkImageData* image,
   const std::array<double, 3>& from, const std::array<double, 3>& to, vtkImageData* mask = nullptr);
 

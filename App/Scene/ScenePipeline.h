@@ -50,7 +50,7 @@ public:
   /// The look that is drawn, in units of the data and in millimetres.
   const Look& DrawnLook() const { return this->look; }
 
-  /// The part that scissors and BodyMask keep, see Scissors.h; null if they keep all.
+  /// The part that scissors and BodyMask keep, see SceneCuts.h; null if they keep all.
   vtkImageData* Mask() const { return this->mask; }
 
   /// Draws other voxels of the same grid, such as those of another time. What removes the table or

@@ -1,6 +1,6 @@
 #include "Scene/SegmentEditing.h"
 
-#include "Scene/ConnectedVoxels.h"
+#include "Scene/BodyMask.h"
 #include "Scene/WorldVector.h"
 
 #include <vtkDataArray.h>

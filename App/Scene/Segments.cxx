@@ -1,5 +1,8 @@
 #include "Scene/Segments.h"
 
+#include "Scene/LookFormats/LookFormats.h"
+#include "Scene/SmallFile.h"
+
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
@@ -274,6 +277,21 @@ std::vector<SegmentSize> SizesOf(vtkImageData* numbers, std::size_t count)
       { counts.voxels, 1e-3 * voxelMm3 * voxels, voxels > 0.0 ? voxels / runsPerMm : 0.0 });
   }
   return sizes;
+}
+
+std::vector<Segment> ReadSegmentTable(const std::string& path)
+{
+  return SegmentsFromTable(BytesOfSmallFile(path), path);
+}
+
+void TakeTable(const std::vector<Segment>& table, std::vector<Segment>& segments)
+{
+  for (Segment& segment : segments)
+  {
+    const auto row = std::find_if(table.begin(), table.end(),
+      [&](const Segment& candidate) { return candidate.value == segment.value; });
+    segment = row != table.end() ? *row : segment;
+  }
 }
 
 }

@@ -7,6 +7,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace varimarch
@@ -71,6 +73,25 @@ SliceAxes AxesOf(SlicePlane plane, const SliceTurn& turn)
 SliceTurn TurnedBy(const SliceTurn& turn, const std::array<double, 3>& axis, double degrees)
 {
   return TurnOf(glm::angleAxis(glm::radians(degrees), VectorOf(axis)) * RotationOf(turn));
+}
+
+std::string AnatomicalDirection(const double directionWorld[3])
+{
+  constexpr double Negligible = 0.05;
+  constexpr std::array<const char*, 3> Letters = { "RL", "AP", "IS" }; // towards -, towards +
+  const double length = std::hypot(directionWorld[0], directionWorld[1], directionWorld[2]);
+  std::array<int, 3> axes = { 0, 1, 2 };
+  std::stable_sort(axes.begin(), axes.end(),
+    [&](int a, int b) { return std::abs(directionWorld[a]) > std::abs(directionWorld[b]); });
+  std::string letters;
+  for (const int axis : axes)
+  {
+    if (std::abs(directionWorld[axis]) > Negligible * length)
+    {
+      letters += Letters[axis][directionWorld[axis] > 0.0];
+    }
+  }
+  return letters;
 }
 
 }

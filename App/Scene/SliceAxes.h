@@ -2,6 +2,7 @@
 #define Varimarch_Scene_SliceAxes_h
 
 #include <array>
+#include <string>
 
 namespace varimarch
 {
@@ -33,6 +34,12 @@ SliceAxes AxesOf(SlicePlane plane, const SliceTurn& turn = {});
 
 /// A turn, followed by one about an axis of unit length.
 SliceTurn TurnedBy(const SliceTurn& turn, const std::array<double, 3>& axis, double degrees);
+
+/// Names a direction in world space (LPS) by the letters of Left, Right, Posterior, Anterior,
+/// Superior and Inferior: "L" for +x. An oblique direction has several letters, the largest
+/// component first, as in "AR"; components below a twentieth of the length are left out. The zero
+/// vector gives an empty string.
+std::string AnatomicalDirection(const double directionWorld[3]);
 
 }
 

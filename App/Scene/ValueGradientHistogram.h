@@ -1,6 +1,9 @@
 #ifndef Varimarch_Scene_ValueGradientHistogram_h
 #define Varimarch_Scene_ValueGradientHistogram_h
 
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -28,6 +31,14 @@ struct ValueGradientHistogram
 /// out.
 /// @param magnitudes  those of the volume, see GradientMagnitudes
 ValueGradientHistogram HistogramOf(vtkImageData* volume, vtkImageData* magnitudes);
+
+/// Gradient magnitudes of a volume's first component [units of the data per mm], for a histogram.
+/// They are taken at up to about four million voxels spread over the volume, by the mapper's
+/// central differences. A voxel with a neighbour that is not finite gets 0.
+vtkSmartPointer<vtkImageData> GradientMagnitudes(vtkImageData* image);
+
+/// Distance between the voxels that have magnitudes, along each axis [voxels].
+vtkIdType StrideOfMagnitudes(vtkImageData* image);
 
 }
 

@@ -1,13 +1,20 @@
 #include "Scene/VolumeLoading.h"
 
 #include "Readers/VolumeFile.h"
+#include "Scene/ImageStatistics.h"
 #include "Scene/ProceduralVolume.h"
 #include "Scene/SceneNames.h"
 #include "Scene/Segments.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkDataArray.h>
 #include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkImageShrink3D.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkVolumeFileReader.h>
 #include <vtksys/SystemTools.hxx>
@@ -15,6 +22,8 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -319,6 +328,77 @@ std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserve
       MiddleOfFile(series.MiddleFile), series.FrameOfReferenceUID });
   }
   return all;
+}
+
+namespace
+{
+
+// The middle slice as a volume of its own.
+vtkSmartPointer<vtkImageData> MiddleSliceOf(vtkImageData* image)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  extent[4] = extent[5] = (extent[4] + extent[5] + 1) / 2;
+  auto slice = vtkSmartPointer<vtkImageData>::New();
+  slice->ShallowCopy(image);
+  slice->Crop(extent);
+  return slice;
+}
+
+}
+
+GrayPicture MiddleSlice(vtkImageData* image)
+{
+  const vtkSmartPointer<vtkImageData> slice = MiddleSliceOf(image);
+  const ImageStatistics statistics(slice);
+  const double black = statistics.Percentile(1.0);
+  const double white = std::max(statistics.Percentile(99.0), black + 1e-9);
+  const int* const extent = slice->GetExtent();
+  GrayPicture picture = { slice->GetDimensions()[0], slice->GetDimensions()[1], {} };
+  picture.pixels.reserve(std::size_t(slice->GetNumberOfPoints()));
+  for (int y = extent[2]; y <= extent[3]; ++y)
+  {
+    for (int x = extent[0]; x <= extent[1]; ++x)
+    {
+      const double value = slice->GetScalarComponentAsDouble(x, y, extent[4], 0);
+      const double part = (value - black) / (white - black);
+      picture.pixels.push_back(
+        std::isnan(part) ? 0 : std::uint8_t(std::lround(255.0 * std::clamp(part, 0.0, 1.0))));
+    }
+  }
+  return picture;
+}
+
+vtkSmartPointer<vtkImageData> SmallCopy(vtkImageData* image, int largestSide)
+{
+  std::array<int, 3> factors;
+  std::array<double, 3> firstIndex;
+  std::array<double, 3> spacing;
+  const int* const extent = image->GetExtent();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int count = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    factors[axis] = (count + largestSide - 1) / largestSide;
+    // The first mean lies in the middle of the voxels that it replaces.
+    firstIndex[axis] = extent[2 * axis] + 0.5 * (factors[axis] - 1);
+    spacing[axis] = factors[axis] * image->GetSpacing()[axis];
+  }
+  std::array<double, 3> origin;
+  image->TransformContinuousIndexToPhysicalPoint(firstIndex.data(), origin.data());
+
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputData(image);
+  shrink->SetShrinkFactors(factors.data());
+  shrink->Update();
+  vtkImageData* const small = shrink->GetOutput();
+  small->SetExtent(0, small->GetDimensions()[0] - 1, 0, small->GetDimensions()[1] - 1, 0,
+    small->GetDimensions()[2] - 1);
+  small->SetOrigin(origin.data());
+  small->SetSpacing(spacing.data());
+  small->SetDirectionMatrix(image->GetDirectionMatrix());
+  // They say whether the components are colours.
+  small->GetPointData()->GetScalars()->CopyComponentNames(image->GetPointData()->GetScalars());
+  return small;
 }
 
 }

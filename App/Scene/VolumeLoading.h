@@ -2,20 +2,34 @@
 #define Varimarch_Scene_VolumeLoading_h
 
 #include "Scene/Scene.h"
-#include "Scene/SlicePixels.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+class vtkImageData;
+
 namespace varimarch
 {
+
+/// Grey pixels, row by row from the upper left.
+struct GrayPicture
+{
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// The middle slice of a volume in storage order, rows downwards. The 1st percentile is black, the
+/// 99th white.
+GrayPicture MiddleSlice(vtkImageData* image);
 
 /// Arrangement of a scan's slices. Tilted, unevenly spaced or missing slices are irregular.
 enum class SliceLayout
@@ -114,6 +128,11 @@ LoadedVolume LoadLabelVolume(const SceneLabels& labels, const LoadObserver& obse
 /// Lists the series in a folder and its subfolders, or those of an index file, the largest first.
 /// @throws std::runtime_error as LoadVolume does
 std::vector<SeriesSummary> ListSeries(const std::string& path, const LoadObserver& observer = {});
+
+/// A reduced copy of a volume, at the same place in the world, with at most `largestSide` voxels
+/// along each axis. Each voxel is the mean of those that it replaces. The copy shares no data with
+/// the volume and reads only its voxels.
+vtkSmartPointer<vtkImageData> SmallCopy(vtkImageData* image, int largestSide);
 
 }
 

@@ -8,6 +8,7 @@ class QAction;
 class QLineEdit;
 class QListWidget;
 class QMenuBar;
+class QWidget;
 
 namespace varimarch
 {
@@ -41,6 +42,9 @@ private:
   QLineEdit* search;
   QListWidget* list;
 };
+
+/// Opens a table of what the mouse does in each view, and of all keys of the menus.
+void ShowKeys(QMenuBar* menuBar, QWidget* parent);
 
 }
 

@@ -4,15 +4,14 @@
 #include "Scene/SceneChange.h"
 #include "Scene/VolumeProperty.h"
 #include "Viewer/Archives/SendDialog.h"
-#include "Viewer/Model/PresetTitles.h"
+#include "Viewer/Dialogs.h"
+#include "Viewer/Model/OwnPresets.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/StudyTimes.h"
-#include "Viewer/Panels/TimeBar.h"
+#include "Viewer/Panels/ViewBars.h"
 #include "Viewer/Reports/ScanReport.h"
-#include "Viewer/SaveDialog.h"
 #include "Viewer/View/Movies.h"
 #include "Viewer/View/PictureExport.h"
-#include "Viewer/WaitCursor.h"
 
 #include <QCoreApplication>
 #include <QMainWindow>

@@ -1,7 +1,6 @@
 #include "Viewer/HelpActions.h"
 
 #include "Viewer/CommandPalette.h"
-#include "Viewer/KeysDialog.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/PanelTabs.h"

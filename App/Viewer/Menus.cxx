@@ -1,8 +1,8 @@
 #include "Viewer/Menus.h"
 
 #include "Scene/SceneCamera.h"
-#include "Viewer/LiveColorDialog.h"
-#include "Viewer/Model/Gesture.h"
+#include "Viewer/Dialogs.h"
+#include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SliceWindows.h"
 #include "Viewer/Theme.h"
 #include "Viewer/Tools/ToolIcons.h"

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_OpenActions_h
 #define Varimarch_Viewer_OpenActions_h
 
-#include "Scene/Overlaying.h"
+#include "Scene/Placing.h"
 #include "Scene/Scene.h"
 #include "Viewer/Open/LoadRequest.h"
 

@@ -2,13 +2,12 @@
 
 #include "DicomSegments/DicomSegments.h"
 #include "Readers/Dicom/TaggedSeries.h"
-#include "Scene/SceneVolumes.h"
-#include "Scene/SegmentFiles.h"
+#include "Scene/LabelMap.h"
+#include "Scene/Scene.h"
+#include "Viewer/Dialogs.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SessionFile.h"
-#include "Viewer/SaveDialog.h"
 #include "Viewer/ScanLists.h"
-#include "Viewer/WaitCursor.h"
 
 #include <QMainWindow>
 #include <QMenu>

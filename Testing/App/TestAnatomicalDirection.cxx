@@ -1,4 +1,4 @@
-#include "Scene/AnatomicalDirection.h"
+#include "Scene/SliceAxes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,3 @@
-#include "Scene/ComparisonSheet.h"
 #include "Scene/DifferencePicture.h"
 
 #include <gtest/gtest.h>

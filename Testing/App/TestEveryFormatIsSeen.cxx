@@ -2,7 +2,6 @@
 
 #include "Module/GoodFiles.h"
 #include "Scene/OffscreenView.h"
-#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/VolumeLoading.h"
 #include "Scene/VolumeProperty.h"

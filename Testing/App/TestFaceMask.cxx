@@ -1,7 +1,7 @@
 // The face of a head: an ellipsoid with a nose, in CT and in values without a unit, in any
 // direction.
 
-#include "Scene/FaceMask.h"
+#include "Scene/BodyMask.h"
 #include "Scene/OffscreenView.h"
 
 #include <vtkImageData.h>

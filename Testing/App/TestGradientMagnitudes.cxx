@@ -1,6 +1,6 @@
 // Gradient magnitudes of volumes, per mm.
 
-#include "Scene/GradientMagnitudes.h"
+#include "Scene/ValueGradientHistogram.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,7 @@
 // Looks in Hounsfield units on volumes that have none: the values that stand for them are found in
 // the histogram.
 
-#include "Scene/HounsfieldScale.h"
 #include "Scene/ImageStatistics.h"
-#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/ProceduralVolume.h"
 #include "Scene/VolumeProperty.h"

@@ -1,7 +1,6 @@
 // Transfer functions of value and gradient: their formula, their pictures, and their histogram.
 
 #include "Core/Quality/ImageError.h"
-#include "Scene/GradientMagnitudes.h"
 #include "Scene/LookRegions.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/ProceduralVolume.h"

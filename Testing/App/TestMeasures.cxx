@@ -1,8 +1,7 @@
 // Measurements of a volume against their formulas.
 
-#include "Scene/BoxStatistics.h"
 #include "Scene/MeasureKinds.h"
-#include "Scene/MeasuresCsv.h"
+#include "Scene/RegionStatistics.h"
 #include "Scene/VolumeLoading.h"
 
 #include <vtkImageData.h>

@@ -1,5 +1,5 @@
-#include "Scene/PathPicture.h"
 #include "Scene/ProceduralVolume.h"
+#include "Scene/ReferencePicture.h"
 #include "Scene/SceneLights.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,3 @@
-#include "Scene/Overlaying.h"
 #include "Scene/Placing.h"
 
 #include "Scene/ImageStatistics.h"

@@ -1,4 +1,3 @@
-#include "Scene/PresetSuggestion.h"
 #include "Scene/Presets.h"
 #include "Scene/ProceduralVolume.h"
 #include "Scene/SceneFile.h"

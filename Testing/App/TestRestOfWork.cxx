@@ -1,4 +1,4 @@
-#include "Scene/RestOfWork.h"
+#include "CommandLine/Progress.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,6 @@
 
 #include "Readers/ImageFacts.h"
 #include "Scene/ImageStatistics.h"
-#include "Scene/LengthScale.h"
-#include "Scene/LookChannels.h"
 #include "Scene/OffscreenView.h"
 #include "Scene/Presets.h"
 #include "Scene/ProceduralVolume.h"

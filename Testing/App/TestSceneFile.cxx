@@ -1,7 +1,7 @@
 #include "Scene/Presets.h"
+#include "Scene/SceneCuts.h"
 #include "Scene/SceneFile.h"
 #include "Scene/SceneNames.h"
-#include "Scene/Scissors.h"
 
 #include <nlohmann/json.hpp>
 

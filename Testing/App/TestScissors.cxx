@@ -1,8 +1,8 @@
 // Scissors: the part that an outline removes, in masks, in images and in picking.
 
 #include "Scene/OffscreenView.h"
+#include "Scene/SceneCuts.h"
 #include "Scene/ScenePicking.h"
-#include "Scene/Scissors.h"
 
 #include <vtkImageData.h>
 

@@ -1,4 +1,4 @@
-#include "Scene/SegmentTables.h"
+#include "Scene/Segments.h"
 
 #include <gtest/gtest.h>
 

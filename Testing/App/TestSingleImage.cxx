@@ -1,6 +1,5 @@
 // A single image is seen in its own plane, however it lies in the patient.
 
-#include "Scene/SingleImage.h"
 #include "Scene/SlicePicture.h"
 
 #include <vtkImageData.h>

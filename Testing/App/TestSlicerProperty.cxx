@@ -1,7 +1,7 @@
 // Slicer's volume properties: files are written and read back, cleaned if irregular, and explained
 // if broken.
 
-#include "Scene/LookFormats/SlicerProperty.h"
+#include "Scene/LookFormats/LookFormats.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_FakeWebArchive_h
 #define Varimarch_Testing_FakeWebArchive_h
 
-#include "Viewer/Archives/ArchiveList.h"
+#include "Viewer/Archives/ArchiveChoice.h"
 
 #include <QByteArray>
 #include <QMap>

@@ -5,7 +5,7 @@
 #include "Module/PhantomDicom.h"
 #include "OverlaidStudy.h"
 #include "TorsoWindow.h"
-#include "Viewer/Archives/ArchiveForm.h"
+#include "Viewer/Archives/ArchiveChoice.h"
 #include "Viewer/Archives/ArchiveWindow.h"
 #include "Viewer/Archives/SendDialog.h"
 #include "Viewer/CommandPalette.h"
@@ -14,7 +14,7 @@
 #include "Viewer/Open/TagsWindow.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/Studies/StudyListWindow.h"
-#include "Viewer/TransferFunctionEditor/NodePopover.h"
+#include "Viewer/TransferFunctionEditor/EditorInput.h"
 #include "Viewer/View/PictureExport.h"
 
 #include <QAbstractButton>

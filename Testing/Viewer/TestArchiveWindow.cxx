@@ -7,7 +7,7 @@
 #include "Module/PhantomFiles.h"
 #include "Readers/PrivateFolder.h"
 #include "Scene/VolumeLoading.h"
-#include "Viewer/Archives/ArchiveForm.h"
+#include "Viewer/Archives/ArchiveChoice.h"
 #include "Viewer/Archives/ArchiveWindow.h"
 #include "Waiting.h"
 

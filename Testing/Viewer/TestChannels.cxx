@@ -2,7 +2,7 @@
 
 #include "Scene/SceneFile.h"
 #include "SmallStudy.h"
-#include "Viewer/Panels/ChannelsBox.h"
+#include "Viewer/Panels/LookBoxes.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/View/PictureReport.h"
 

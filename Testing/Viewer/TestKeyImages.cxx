@@ -4,7 +4,7 @@
 #include "ScanOfTimes.h"
 #include "Scene/SceneFile.h"
 #include "SmallStudy.h"
-#include "Viewer/Panels/KeyImagesBox.h"
+#include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Reports/ScanReport.h"
 
 #include <QFile>

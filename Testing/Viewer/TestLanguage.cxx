@@ -6,7 +6,7 @@
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/MeasureTexts.h"
-#include "Viewer/Panels/SlabBar.h"
+#include "Viewer/Panels/ViewBars.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

@@ -3,7 +3,7 @@
 #include "Answers.h"
 #include "Scene/SceneFile.h"
 #include "TorsoWindow.h"
-#include "Viewer/Model/MemoryLimit.h"
+#include "Viewer/Model/StudyTimes.h"
 
 #include <QAction>
 #include <QDir>

@@ -5,9 +5,9 @@
 #include "Module/PhantomFiles.h"
 #include "SilentFile.h"
 #include "SmallStudy.h"
-#include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/SessionFile.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/Open/LoadController.h"
 #include "Waiting.h"
 

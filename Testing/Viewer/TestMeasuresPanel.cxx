@@ -2,11 +2,11 @@
 
 #include "Answers.h"
 #include "ScanOfPatient.h"
-#include "Scene/Overlaying.h"
+#include "Scene/Placing.h"
 #include "SmallStudy.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/MeasuresPanel.h"
-#include "Viewer/Panels/SlabBar.h"
+#include "Viewer/Panels/ViewBars.h"
 #include "Viewer/View/Overlay.h"
 
 #include <QComboBox>

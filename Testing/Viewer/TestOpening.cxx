@@ -5,7 +5,7 @@
 #include "OpeningWindow.h"
 #include "SilentFile.h"
 #include "Viewer/Model/Log.h"
-#include "Viewer/Model/MemoryLimit.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/Open/RawForm.h"
 #include "Viewer/Open/SeriesPicker.h"
 #include "Viewer/Open/WarningBar.h"

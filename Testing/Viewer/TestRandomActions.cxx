@@ -8,8 +8,8 @@
 #include "OverlaidStudy.h"
 #include "RandomUser.h"
 #include "ScanOfTimes.h"
+#include "Scene/LabelMap.h"
 #include "Scene/SceneFile.h"
-#include "Scene/SegmentFiles.h"
 #include "TorsoWindow.h"
 
 #include <QApplication>

@@ -2,7 +2,6 @@
 
 #include "OverlaidStudy.h"
 #include "Scene/ScenePicking.h"
-#include "Viewer/Panels/SegmentEditingBox.h"
 #include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/View/SliceView.h"
 

@@ -2,7 +2,7 @@
 
 #include "Answers.h"
 #include "LabelledStudy.h"
-#include "Viewer/Model/NumberText.h"
+#include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/SliceView.h"

@@ -1,7 +1,7 @@
 // Slices: the mouse moves their common crosshair, and every gesture is an undo step.
 
 #include "LabelledStudy.h"
-#include "Viewer/Panels/SlabBar.h"
+#include "Viewer/Panels/ViewBars.h"
 #include "Viewer/View/SliceCorners.h"
 #include "Viewer/View/SliceView.h"
 

@@ -10,8 +10,7 @@
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/Model/StudyTimes.h"
 #include "Viewer/Model/TimeSeries.h"
-#include "Viewer/Panels/TimeBar.h"
-#include "Viewer/Panels/TimeCurve.h"
+#include "Viewer/Panels/ViewBars.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"
 #include "Viewer/View/SliceView.h"
 

@@ -2,7 +2,7 @@
 // ffmpeg is tested too.
 
 #include "SmallStudy.h"
-#include "Viewer/Model/TimeSpeed.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/View/Movies.h"
 
 #include <QDir>

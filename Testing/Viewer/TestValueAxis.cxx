@@ -1,8 +1,7 @@
 // The value axis of the editor, and the bars of its histogram.
 
 #include "SmallStudy.h"
-#include "Viewer/TransferFunctionEditor/HistogramBars.h"
-#include "Viewer/TransferFunctionEditor/ValueAxis.h"
+#include "Viewer/TransferFunctionEditor/EditorLayout.h"
 
 #include <gtest/gtest.h>
 

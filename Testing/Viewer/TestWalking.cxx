@@ -1,7 +1,7 @@
 // Poses of the camera on a walk through the volume.
 
 #include "Scene/WorldVector.h"
-#include "Viewer/Tools/WalkTool.h"
+#include "Viewer/Tools/MouseTool.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

@@ -1,4 +1,4 @@
-#include "Scene/LookFormats/ColorTables.h"
+#include "Scene/LookFormats/LookFormats.h"
 
 #include <glm/common.hpp>
 

@@ -1,6 +1,6 @@
-#include "Scene/LookFormats/InviwoTransferFunction.h"
+#include "Scene/LookFormats/LookFormats.h"
 
-#include "Scene/LookFormats/LookXml.h"
+#include "Scene/LookFormats/LookContext.h"
 
 #include <vtkXMLDataElement.h>
 

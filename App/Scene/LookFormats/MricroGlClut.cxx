@@ -1,4 +1,4 @@
-#include "Scene/LookFormats/MricroGlClut.h"
+#include "Scene/LookFormats/LookFormats.h"
 
 #include <array>
 #include <locale>

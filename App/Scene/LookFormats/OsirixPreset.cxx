@@ -1,4 +1,4 @@
-#include "Scene/LookFormats/OsirixPreset.h"
+#include "Scene/LookFormats/LookFormats.h"
 
 #include "Readers/Nesting.h"
 #include "Scene/JsonCursor.h"

@@ -1,4 +1,4 @@
-#include "Scene/LookFormats/ParaViewColorMap.h"
+#include "Scene/LookFormats/LookFormats.h"
 
 #include "Scene/JsonCursor.h"
 

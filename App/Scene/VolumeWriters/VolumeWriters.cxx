@@ -1,7 +1,11 @@
 #include "Scene/VolumeWriters/VolumeWriters.h"
 
 #include "Scene/OutputFile.h"
+#include "Scene/VolumeWriters/WrittenImage.h"
 
+#include <vtkErrorCode.h>
+#include <vtkNew.h>
+#include <vtkXMLImageDataWriter.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -126,6 +130,21 @@ std::vector<std::string> WriteChunkedVolume(
       "Chunks are missing in the file that was read; their voxels have the fill value.");
   }
   return sentences;
+}
+
+// VTK's XML image data, by VTK's own writer.
+
+bool WriteVtiFile(const LoadedVolume& volume, const std::string& path, bool)
+{
+  const WrittenImage checked(path, volume.image);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(volume.image);
+  writer->SetFileName(path.c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  // Arrays beyond 4 GB need headers of 64 bits.
+  writer->SetHeaderTypeToUInt64();
+  return writer->Write() == 1 && writer->GetErrorCode() == vtkErrorCode::NoError;
 }
 
 }

@@ -4,13 +4,13 @@
 #include "Readers/Dicom/TaggedSeries.h"
 #include "Readers/PrivateFolder.h"
 #include "Scene/ImageFiles.h"
-#include "Scene/SceneVolumes.h"
-#include "Viewer/Model/MeasureReport.h"
+#include "Scene/Scene.h"
+#include "Viewer/Dialogs.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/StudyTimes.h"
+#include "Viewer/Reports/ScanReport.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/VtkPictures.h"
-#include "Viewer/WaitCursor.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

@@ -1,6 +1,6 @@
 #include "Viewer/Model/GradientCounting.h"
 
-#include "Scene/GradientMagnitudes.h"
+#include "Scene/ValueGradientHistogram.h"
 
 namespace varimarch
 {

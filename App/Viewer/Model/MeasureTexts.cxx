@@ -1,11 +1,13 @@
 #include "Viewer/Model/MeasureTexts.h"
 
-#include "Scene/MeasureUnits.h"
+#include "Scene/MeasureKinds.h"
+#include "Scene/Scene.h"
 #include "Scene/ScenePicking.h"
-#include "Scene/SceneVolumes.h"
 #include "Scene/VolumeLoading.h"
-#include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/Study.h"
+#include "Viewer/Model/StudyTimes.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -268,6 +270,46 @@ QString PointText(const Scene& scene, const Study& study, const std::array<doubl
            .arg(NumberText(pointMm[1], 1))
            .arg(NumberText(pointMm[2], 1)) +
     SegmentText(scene, study, 0, pointMm) + OverlayTexts(scene, study, pointMm);
+}
+
+namespace
+{
+
+struct KeyImageTexts
+{
+  Q_DECLARE_TR_FUNCTIONS(KeyImageTexts)
+};
+
+}
+
+QString TitleOf(const KeyImage& image)
+{
+  return image.name.empty() ? TitleOf(image.view) : QString::fromStdString(image.name);
+}
+
+QString TitleOf(KeyView view)
+{
+  switch (view)
+  {
+    case KeyView::Axial:
+      return KeyImageTexts::tr("Axial slice");
+    case KeyView::Coronal:
+      return KeyImageTexts::tr("Coronal slice");
+    case KeyView::Sagittal:
+      return KeyImageTexts::tr("Sagittal slice");
+    default:
+      return KeyImageTexts::tr("Volume");
+  }
+}
+
+bool IsAtTime(const KeyImage& image, const LoadedTimes& times)
+{
+  return image.time && times.AreSeveral() && *image.time < int(times.values.size());
+}
+
+QString TimeTextOf(const KeyImage& image, const LoadedTimes& times)
+{
+  return IsAtTime(image, times) ? TimeText(times, *image.time) : QString();
 }
 
 }

@@ -2,8 +2,10 @@
 #define Varimarch_Viewer_MeasureTexts_h
 
 #include "Scene/Placing.h"
+#include "Scene/Scene.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QString>
 #include <QStringList>
 
@@ -86,6 +88,26 @@ QString RegionText(const RegionStatistics& statistics, const LoadedVolume& volum
 /// "HU 41 at 12.3, -4.0, 105.5 mm, liver" for a point in world space, the last in a visible
 /// segment.
 QString PointText(const Scene& scene, const Study& study, const std::array<double, 3>& pointMm);
+
+struct LoadedTimes;
+
+/// The name of a key image, or the view that it shows: "Axial slice".
+QString TitleOf(const KeyImage& image);
+
+/// "Axial slice".
+QString TitleOf(KeyView view);
+
+/// True if the volume has the time that a key image names.
+bool IsAtTime(const KeyImage& image, const LoadedTimes& times);
+
+/// The time of a key image, as TimeText writes it; empty unless the volume has it.
+QString TimeTextOf(const KeyImage& image, const LoadedTimes& times);
+
+/// A number for display, written as in the user's language. Files hold numbers as in C.
+inline QString NumberText(double number, int decimals)
+{
+  return QLocale().toString(number, 'f', decimals);
+}
 
 }
 

@@ -1,10 +1,13 @@
 #ifndef Varimarch_Viewer_OwnPresets_h
 #define Varimarch_Viewer_OwnPresets_h
 
+#include "Scene/Presets.h"
 #include "Scene/Scene.h"
 
 #include <QString>
 #include <QStringList>
+
+#include <string>
 
 namespace varimarch
 {
@@ -35,6 +38,12 @@ private:
 
   QString folder;
 };
+
+/// Title of a built-in preset in the user's language, such as "Bone". For other looks, their name.
+QString PresetTitle(const std::string& name);
+
+/// Reason for a suggested preset, as the end of a sentence in the user's language.
+QString SuggestionText(const PresetSuggestion& suggestion);
 
 }
 

@@ -4,7 +4,6 @@
 #include "Scene/Scene.h"
 #include "Scene/SegmentEditing.h"
 #include "Viewer/Model/BackgroundTask.h"
-#include "Viewer/Model/Gesture.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/Study.h"
 
@@ -21,6 +20,10 @@
 
 namespace varimarch
 {
+
+/// Returns a new gesture number, > 0. All edits of one drag, or of one visit to a popover, share a
+/// number, which makes them a single undo step.
+int NewGesture();
 
 /// The part of a scene that has changed.
 enum class ScenePart

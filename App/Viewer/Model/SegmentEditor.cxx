@@ -1,7 +1,7 @@
 #include "Viewer/Model/SegmentEditor.h"
 
 #include "Scene/Placing.h"
-#include "Scene/SceneVolumes.h"
+#include "Scene/Scene.h"
 
 #include <optional>
 #include <utility>

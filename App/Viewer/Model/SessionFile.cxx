@@ -1,10 +1,10 @@
 #include "Viewer/Model/SessionFile.h"
 
+#include "Scene/LabelMap.h"
 #include "Scene/OutputFile.h"
 #include "Scene/Presets.h"
+#include "Scene/Scene.h"
 #include "Scene/SceneFile.h"
-#include "Scene/SceneVolumes.h"
-#include "Scene/SegmentFiles.h"
 #include "Scene/SmallFile.h"
 
 #include <vtkImageData.h>

@@ -3,9 +3,9 @@
 
 #include "Scene/ImageStatistics.h"
 #include "Scene/LabelMap.h"
+#include "Scene/RegionStatistics.h"
 #include "Scene/SceneOverlays.h"
 #include "Scene/SegmentEditing.h"
-#include "Scene/SegmentStatistics.h"
 #include "Scene/VolumeLoading.h"
 
 #include <memory>

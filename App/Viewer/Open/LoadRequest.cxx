@@ -4,8 +4,8 @@
 #include "Readers/Dicom/FileSearch.h"
 #include "Readers/Dicom/Record.h"
 #include "Scene/SceneFile.h"
-#include "Viewer/Model/MemoryLimit.h"
 #include "Viewer/Model/RecentScans.h"
+#include "Viewer/Model/StudyTimes.h"
 
 #include <vtkVolumeFileReader.h>
 

@@ -4,13 +4,17 @@
 #include "Scene/LookFormats/LookContext.h"
 #include "Viewer/Model/SceneModel.h"
 
+#include <QGroupBox>
 #include <QWidget>
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 class QToolButton;
 class QVBoxLayout;
@@ -54,6 +58,60 @@ private:
   QLabel* problem; ///< error of the last file; hidden if there was none
   TransferFunctionEditor* editor;
   QLabel* counted; ///< says that the histogram lacks times; hidden if it has all
+};
+
+class NumberSlider;
+
+/// Blend mode of the rays, with the parameters that it needs.
+class BlendingForm : public QWidget
+{
+  Q_OBJECT
+
+public:
+  explicit BlendingForm(SceneModel* model, QWidget* parent = nullptr);
+
+private:
+  void MakeBlend();
+  void MakeUnitDistance();
+  void MakeAveragedRange();
+  void ChooseBlend(Blend blend);
+  void ChooseAveragedRange();
+  void ShowUnitDistance(double millimetres, double lengthFactor);
+  void Update(ScenePart part);
+  void ShowRow(QWidget* field, bool shown);
+
+  SceneModel* model;
+  QFormLayout* form;
+  QComboBox* blend;
+  NumberSlider* unitDistance;
+  QWidget* averagedRange;
+  QDoubleSpinBox* averagedFirst;
+  QDoubleSpinBox* averagedLast;
+};
+
+class NumberSlider;
+
+/// The shading, chosen by name or by coefficients. Hidden for blend modes without shading.
+class ShadingBox : public QGroupBox
+{
+  Q_OBJECT
+
+public:
+  explicit ShadingBox(SceneModel* model, QWidget* parent = nullptr);
+
+private:
+  void MakeKinds();
+  void MakeDamping();
+  void ShowDampingOf(const Study& study);
+  void AddCoefficient(const QString& name, double Shading::*coefficient, NumberSlider* slider);
+  void Edit(const QString& name, const Shading& shading, int gesture);
+  void Update(ScenePart part);
+
+  SceneModel* model;
+  QFormLayout* form;
+  QComboBox* kinds;
+  NumberSlider* damping;
+  std::vector<std::pair<NumberSlider*, double Shading::*>> sliders;
 };
 
 }

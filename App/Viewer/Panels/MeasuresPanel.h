@@ -3,8 +3,13 @@
 
 #include "Viewer/Model/SceneModel.h"
 
+#include <QGroupBox>
 #include <QWidget>
 
+#include <optional>
+
+class QListWidget;
+class QListWidgetItem;
 class QPushButton;
 class QTableWidget;
 class QTableWidgetItem;
@@ -40,6 +45,32 @@ private:
   QPushButton* remove;
   QPushButton* removeAll;
   QPushButton* save;
+};
+
+/// A list of the views that the user has marked, for the report. A double-click goes to one, as
+/// far as camera, slices and time are concerned; F2 renames it.
+class KeyImagesBox : public QGroupBox
+{
+  Q_OBJECT
+
+public:
+  explicit KeyImagesBox(SceneModel* model, QWidget* parent = nullptr);
+
+  /// Marks a view as the model has it now. This is an undo step.
+  void Mark(KeyView view);
+
+private:
+  /// The time of the voxels that are shown; empty for a volume with only one.
+  std::optional<int> ShownTime() const;
+  void Show(ScenePart part);
+  void Rename(QListWidgetItem* item);
+  void GoToCurrent();
+  void RemoveCurrent();
+
+  SceneModel* model;
+  QListWidget* list;
+  QPushButton* goTo;
+  QPushButton* remove;
 };
 
 }

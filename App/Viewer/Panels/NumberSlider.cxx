@@ -1,6 +1,6 @@
 #include "Viewer/Panels/NumberSlider.h"
 
-#include "Viewer/Model/Gesture.h"
+#include "Viewer/Model/SceneModel.h"
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>

@@ -1,23 +1,33 @@
 #include "Viewer/Reports/ScanReport.h"
 
+#include "DicomMeasures/DicomMeasures.h"
+#include "Readers/Dicom/TaggedSeries.h"
 #include "Scene/MeasureKinds.h"
+#include "Scene/OutputFile.h"
+#include "Scene/Placing.h"
 #include "Scene/Presets.h"
+#include "Scene/Scene.h"
 #include "Scene/SceneNames.h"
-#include "Scene/SceneVolumes.h"
-#include "Viewer/Model/KeyImageTexts.h"
 #include "Viewer/Model/MeasureTexts.h"
-#include "Viewer/Model/NumberText.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/StudyTimes.h"
-#include "Viewer/Reports/PdfPages.h"
 #include "Viewer/View/PictureExport.h"
 #include "Viewer/View/SliceView.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QFile>
+#include <QLocale>
+#include <QPainter>
+#include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <variant>
 
 namespace varimarch
 {
@@ -283,6 +293,110 @@ void WriteScanReport(SceneModel* model, const QString& path)
   AddPicture(document, "picture", maker.Draw());
   document.setHtml(ScanReportHtml(scene, *study));
   WritePdf(document, ReportTexts::tr("Volume report"), path);
+}
+
+namespace
+{
+
+constexpr int DotsPerInch = 150;
+constexpr double MarginMm = 18.0;
+constexpr double FootHeight = 40.0; // [dots]
+
+void PaintFoot(QPainter& painter, const QSizeF& page, int number, int count)
+{
+  const QRectF foot(0.0, page.height() + 0.25 * FootHeight, page.width(), 0.75 * FootHeight);
+  painter.setPen(Qt::darkGray);
+  painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter,
+    QCoreApplication::translate(
+      "PdfPages", "Not for diagnostic use: made by a program that is not a medical device"));
+  painter.drawText(
+    foot, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("%1 / %2").arg(number).arg(count));
+}
+
+void PaintPages(QTextDocument& document, QPdfWriter& writer)
+{
+  QPainter painter(&writer);
+  const QSizeF page(writer.width(), writer.height() - FootHeight);
+  document.documentLayout()->setPaintDevice(&writer);
+  document.setDocumentMargin(0.0);
+  document.setPageSize(page);
+  for (int i = 0; i < document.pageCount(); ++i)
+  {
+    if (i > 0)
+    {
+      writer.newPage();
+    }
+    painter.save();
+    painter.translate(0.0, -i * page.height());
+    document.drawContents(&painter, QRectF(0.0, i * page.height(), page.width(), page.height()));
+    painter.restore();
+    PaintFoot(painter, page, i + 1, document.pageCount());
+  }
+}
+
+}
+
+void WritePdf(QTextDocument& document, const QString& title, const QString& path)
+{
+  WriteFileWhole(path.toStdString(),
+    [&](const std::string& part)
+    {
+      QFile file(QString::fromStdString(part));
+      if (!file.open(QIODevice::WriteOnly))
+      {
+        return false;
+      }
+      {
+        QPdfWriter writer(&file);
+        writer.setTitle(title);
+        writer.setCreator("Varimarch");
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins(
+          QMarginsF(MarginMm, MarginMm, MarginMm, MarginMm), QPageLayout::Millimeter);
+        writer.setResolution(DotsPerInch);
+        PaintPages(document, writer);
+      }
+      // QPdfWriter reports no errors; those of the file remain set.
+      return file.flush() && file.error() == QFile::NoError;
+    });
+}
+
+QString OriginHtml()
+{
+  return QStringLiteral("<p>Varimarch %1, %2</p>")
+    .arg(QCoreApplication::applicationVersion(),
+      QLocale().toString(QDateTime::currentDateTime(), QLocale::ShortFormat));
+}
+
+bool MeasureReport::IsPossible(const Scene& scene, const Study& study, int volume)
+{
+  return !StudyOfVolume(study, volume).volume.frameOfReference.empty() &&
+    std::holds_alternative<FileSource>(VolumeSourceOf(scene, volume));
+}
+
+MeasureReport::MeasureReport(const Scene& scene, const Study& shown, int volume)
+  : scan(std::get<FileSource>(VolumeSourceOf(scene, volume)))
+  , volume(StudyOfVolume(shown, volume).volume)
+{
+  const Placement placement = PlacementOf(scene, volume);
+  const bool hasBox = std::any_of(scene.measures.begin(), scene.measures.end(),
+    [](const Measure& measure) { return measure.kind == MeasureKind::Box; });
+  if (hasBox && !AreTurnedAlike(shown.volume.image, Placed(this->volume.image, placement)))
+  {
+    throw std::runtime_error(QCoreApplication::translate("MeasureReport",
+      "A box lies along the axes of the first scan, and this one has others. "
+      "Remove the boxes, or save a table.")
+                               .toStdString());
+  }
+  this->measures = InPatientCoordinates(scene.measures, placement, this->volume.image);
+  this->volume.image = SharedCopy(this->volume);
+}
+
+void MeasureReport::Write(const std::string& path, const TaskProgress& goesOn) const
+{
+  ReadProgress progress(goesOn);
+  const TaggedSeries images(this->scan.path, this->scan.series, progress);
+  WriteDicomMeasures(this->measures, this->volume, images.Files(), path);
 }
 
 }

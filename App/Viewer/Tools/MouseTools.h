@@ -1,11 +1,9 @@
 #ifndef Varimarch_Viewer_MouseTools_h
 #define Varimarch_Viewer_MouseTools_h
 
-#include "Viewer/Tools/BrightnessTool.h"
 #include "Viewer/Tools/CutHandles.h"
 #include "Viewer/Tools/MeasureTool.h"
-#include "Viewer/Tools/ScissorsTool.h"
-#include "Viewer/Tools/WalkTool.h"
+#include "Viewer/Tools/MouseTool.h"
 
 #include <QEvent>
 

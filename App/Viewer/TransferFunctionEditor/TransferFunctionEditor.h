@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_TransferFunctionEditor_h
 #define Varimarch_Viewer_TransferFunctionEditor_h
 
-#include "Viewer/TransferFunctionEditor/EditorMouse.h"
+#include "Viewer/TransferFunctionEditor/EditorInput.h"
 #include "Viewer/TransferFunctionEditor/EditorPainter.h"
 
 #include <QWidget>

@@ -1,11 +1,11 @@
 #include "Viewer/View/ComparisonView.h"
 
 #include "Scene/DifferencePicture.h"
-#include "Viewer/Model/NumberText.h"
+#include "Viewer/Dialogs.h"
+#include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/VolumeView.h"
 #include "Viewer/View/VtkPictures.h"
-#include "Viewer/WaitCursor.h"
 
 #include <QImage>
 #include <QKeyEvent>

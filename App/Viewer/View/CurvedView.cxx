@@ -4,7 +4,6 @@
 #include "Scene/SlicePicture.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
-#include "Viewer/Model/NumberText.h"
 #include "Viewer/View/Overlay.h"
 #include "Viewer/View/SliceCorners.h"
 

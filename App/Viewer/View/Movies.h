@@ -3,7 +3,7 @@
 
 #include "Scene/OutputFile.h"
 #include "Viewer/Model/Study.h"
-#include "Viewer/Model/TimeSpeed.h"
+#include "Viewer/Model/StudyTimes.h"
 #include "Viewer/View/PictureExport.h"
 
 #include <QImage>

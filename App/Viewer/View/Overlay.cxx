@@ -1,8 +1,8 @@
 #include "Viewer/View/Overlay.h"
 
-#include "Scene/AnatomicalDirection.h"
 #include "Scene/MeasureKinds.h"
 #include "Scene/ScenePicking.h"
+#include "Scene/SliceAxes.h"
 #include "Scene/WorldVector.h"
 
 #include <QCoreApplication>

@@ -56,7 +56,7 @@ void DrawMark(QPainter& painter, const QPointF& from, const QPointF& to);
 
 /// Draws the annotations of an image, on the screen and in files: letters of the patient's
 /// directions at its edges, a cube with the same letters, and the measurements.
-/// @param mask   the part that the scissors keep, see Scissors.h; may be null
+/// @param mask   the part that the scissors keep, see SceneCuts.h; may be null
 /// @param taken  places of other texts, which labels of measurements do not cover
 void DrawOverlay(QPainter& painter, const MeasuredScene& measured, const PictureFrame& frame,
   vtkImageData* mask, std::vector<QRectF> taken = {});

@@ -3,9 +3,9 @@
 #include "Scene/ImageFiles.h"
 #include "Scene/Presets.h"
 #include "Scene/SceneFile.h"
+#include "Viewer/Dialogs.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/StudyTimes.h"
-#include "Viewer/SaveDialog.h"
 #include "Viewer/View/Overlay.h"
 #include "Viewer/View/VtkPictures.h"
 

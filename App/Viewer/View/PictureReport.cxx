@@ -1,7 +1,7 @@
 #include "Viewer/View/PictureReport.h"
 
 #include "Scene/SceneLights.h"
-#include "Viewer/Model/NumberText.h"
+#include "Viewer/Model/MeasureTexts.h"
 
 #include <QCoreApplication>
 

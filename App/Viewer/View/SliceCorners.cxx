@@ -1,9 +1,9 @@
 #include "Viewer/View/SliceCorners.h"
 
-#include "Scene/AnatomicalDirection.h"
-#include "Scene/SliceNumber.h"
+#include "Scene/SliceAxes.h"
+#include "Scene/SlicePicture.h"
 #include "Scene/WorldVector.h"
-#include "Viewer/Model/NumberText.h"
+#include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/View/Overlay.h"
 
 #include <QCoreApplication>

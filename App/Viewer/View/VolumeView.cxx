@@ -2,10 +2,10 @@
 
 #include "March/Device/GraphicsReset.h"
 #include "Scene/Placing.h"
+#include "Scene/Scene.h"
 #include "Scene/SceneCamera.h"
 #include "Scene/SceneCuts.h"
 #include "Scene/ScenePicking.h"
-#include "Scene/SceneVolumes.h"
 #include "Scene/WorldVector.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/View/Overlay.h"

@@ -4,8 +4,8 @@
 
 #include "Scene/EmptyPicture.h"
 #include "Scene/FloatCapture.h"
+#include "Viewer/Dialogs.h"
 #include "Viewer/Model/Log.h"
-#include "Viewer/WaitCursor.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
