@@ -2,7 +2,7 @@
 
 #include "Comparison/vtkComparisonMapper.h"
 #include "FrameCost.h"
-#include "Scene/ScenePipeline.h"
+#include "Scene/Pipeline/ScenePipeline.h"
 
 #include <vtkVariationFieldVolumeMapper.h>
 

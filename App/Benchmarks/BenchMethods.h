@@ -2,8 +2,8 @@
 #define Varimarch_Benchmarks_BenchMethods_h
 
 #include "Comparison/VoxelStorage.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Scene.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/Scene.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

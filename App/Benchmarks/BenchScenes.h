@@ -3,8 +3,8 @@
 
 #include "Benchmark.h"
 #include "CommandLine/Truth.h"
-#include "Scene/Scene.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <functional>
 #include <string>

@@ -3,7 +3,7 @@
 #include "CommandLine/OutputFolder.h"
 #include "CommandLine/Parser.h"
 #include "CommandLine/Results.h"
-#include "Scene/JsonCursor.h"
+#include "Scene/Json/JsonCursor.h"
 
 #include <vtkVersion.h>
 

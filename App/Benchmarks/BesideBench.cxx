@@ -1,7 +1,7 @@
 #include "CommandLine/VtkMessages.h"
 #include "LightScenes.h"
+#include "Scene/Images/OffscreenView.h"
 #include "Scene/Median.h"
-#include "Scene/OffscreenView.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>

@@ -3,9 +3,9 @@
 #include "CommandLine/Progress.h"
 #include "Core/Quality/ImageError.h"
 #include "Readers/VtkMessages.h"
+#include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
-#include "Scene/Scene.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Model/Scene.h"
 #include "Stages/ExtremeScenes.h"
 
 #include <CLI/CLI.hpp>

@@ -6,7 +6,7 @@
 #include "FeatureList.h"
 #include "FeatureView.h"
 #include "Scene/Median.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 
 #include <vtkImageData.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>

@@ -1,10 +1,10 @@
 #include "FeatureView.h"
 
 #include "CommandLine/VtkMessages.h"
-#include "Scene/ImageOrientation.h"
+#include "Scene/Looks/VolumeProperty.h"
 #include "Scene/Median.h"
-#include "Scene/SceneCamera.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Model/SceneCamera.h"
+#include "Scene/Volumes/ImageOrientation.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>

@@ -2,7 +2,7 @@
 #define Varimarch_Benchmarks_FeatureView_h
 
 #include "FeatureList.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 
 #include <vtkHeadlessRenderWindow.h>
 #include <vtkNew.h>

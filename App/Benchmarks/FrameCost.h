@@ -1,7 +1,7 @@
 #ifndef Varimarch_Benchmarks_FrameCost_h
 #define Varimarch_Benchmarks_FrameCost_h
 
-#include "Scene/OffscreenView.h"
+#include "Scene/Images/OffscreenView.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -2,9 +2,9 @@
 #include "CommandLine/VtkMessages.h"
 #include "Core/Quality/ImageError.h"
 #include "LightScenes.h"
+#include "Scene/Images/OffscreenView.h"
 #include "Scene/Median.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Model/SceneLights.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>

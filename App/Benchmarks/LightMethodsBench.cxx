@@ -3,8 +3,8 @@
 #include "CommandLine/VtkMessages.h"
 #include "Comparison/vtkComparisonMapper.h"
 #include "LightScenes.h"
+#include "Scene/Images/OffscreenView.h"
 #include "Scene/Median.h"
-#include "Scene/OffscreenView.h"
 
 #include <vtkCamera.h>
 #include <vtkVariationFieldVolumeMapper.h>

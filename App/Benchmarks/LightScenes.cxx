@@ -1,7 +1,7 @@
 #include "LightScenes.h"
 
-#include "Scene/OffscreenView.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/SceneLights.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>

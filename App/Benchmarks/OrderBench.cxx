@@ -5,11 +5,11 @@
 #include "CommandLine/Truth.h"
 #include "CommandLine/VtkMessages.h"
 #include "Core/Quality/ImageError.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/ReferencePicture.h"
-#include "Scene/ReferenceRequest.h"
-#include "Scene/Scene.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Reference/ReferencePicture.h"
+#include "Scene/Reference/ReferenceRequest.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>

@@ -2,8 +2,8 @@
 #define Varimarch_Benchmarks_Published_h
 
 #include "CommandLine/Truth.h"
-#include "Scene/Scene.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <vtkImageData.h>
 

@@ -3,7 +3,7 @@
 #include "Benchmark.h"
 #include "CommandLine/Progress.h"
 #include "Core/Fields/VariationField.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/VolumeLoading.h"
 #include "WorkPrecision.h"
 
 #include <vtkImageResize.h>

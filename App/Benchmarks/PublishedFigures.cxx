@@ -4,11 +4,11 @@
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Results.h"
 #include "Core/Fields/VariationField.h"
-#include "Scene/DifferencePicture.h"
-#include "Scene/ImageFiles.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/VariationImage.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Images/DifferencePicture.h"
+#include "Scene/Images/ImageFiles.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Volumes/VariationImage.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,14 +4,14 @@
 #include "CommandLine/Progress.h"
 #include "CommandLine/Truth.h"
 #include "CommandLine/VtkMessages.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/OutputFile.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/ReferencePicture.h"
-#include "Scene/Scene.h"
-#include "Scene/SceneFile.h"
-#include "Scene/SceneNames.h"
-#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Reference/ReferencePicture.h"
+#include "Scene/Volumes/ProceduralVolume.h"
+#include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>

@@ -4,8 +4,8 @@
 #include "CommandLine/SceneArguments.h"
 #include "CommandLine/Truth.h"
 #include "FrameCost.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

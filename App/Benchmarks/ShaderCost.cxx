@@ -8,7 +8,7 @@
 #include "CommandLine/Truth.h"
 #include "CommandLine/VtkMessages.h"
 #include "FeatureView.h"
-#include "Scene/OffscreenView.h"
+#include "Scene/Images/OffscreenView.h"
 #include "VtkVersions.h"
 
 #include <vtkCallbackCommand.h>

@@ -4,8 +4,8 @@
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Results.h"
 #include "FrameCost.h"
+#include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
-#include "Scene/SceneNames.h"
 
 #include <CLI/CLI.hpp>
 

@@ -2,10 +2,10 @@
 #include "CommandLine/Parser.h"
 #include "CommandLine/Progress.h"
 #include "CommandLine/SceneArguments.h"
+#include "Scene/Images/OffscreenView.h"
 #include "Scene/Median.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Scene.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>

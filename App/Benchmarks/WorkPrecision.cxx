@@ -7,10 +7,10 @@
 #include "CommandLine/SceneArguments.h"
 #include "CommandLine/VtkMessages.h"
 #include "Core/Quality/ImageError.h"
-#include "Scene/DifferencePicture.h"
-#include "Scene/ImageFiles.h"
+#include "Scene/Images/DifferencePicture.h"
+#include "Scene/Images/ImageFiles.h"
+#include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
-#include "Scene/SceneNames.h"
 
 #include <vtkCamera.h>
 

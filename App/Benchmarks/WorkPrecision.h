@@ -4,7 +4,7 @@
 #include "BenchMethods.h"
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Truth.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,6 +1,6 @@
 #include "ArgumentChecks.h"
 
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -2,7 +2,7 @@
 
 #include "AddArchiveCommand.h"
 #include "Parser.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,7 +3,7 @@
 
 #include "Core/Fields/VariationField.h"
 #include "LabelArguments.h"
-#include "Scene/ReferencePicture.h"
+#include "Scene/Reference/ReferencePicture.h"
 #include "SceneArguments.h"
 #include "VolumeOutput.h"
 

@@ -6,10 +6,10 @@
 #include "OutputFolder.h"
 #include "Progress.h"
 #include "Results.h"
-#include "Scene/DifferencePicture.h"
-#include "Scene/ImageFiles.h"
-#include "Scene/OutputFile.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Images/DifferencePicture.h"
+#include "Scene/Images/ImageFiles.h"
+#include "Scene/Json/SceneNames.h"
 
 #include <nlohmann/json.hpp>
 

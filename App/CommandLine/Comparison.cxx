@@ -1,9 +1,9 @@
 #include "Comparison.h"
 
 #include "Results.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/SceneNames.h"
 #include "VtkMessages.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 #include "ComparisonReport.h"
 
 #include "Results.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "Commands.h"
 
 #include "Messages.h"
-#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 
 namespace varimarch
 {

@@ -1,7 +1,7 @@
 #include "Commands.h"
 
 #include "Progress.h"
-#include "Scene/VariationImage.h"
+#include "Scene/Volumes/VariationImage.h"
 
 #include <stdexcept>
 

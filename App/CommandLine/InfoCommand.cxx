@@ -1,7 +1,7 @@
 #include "Commands.h"
 
 #include "Results.h"
-#include "Scene/ImageStatistics.h"
+#include "Scene/Volumes/ImageStatistics.h"
 #include "VolumeText.h"
 
 #include <nlohmann/json.hpp>

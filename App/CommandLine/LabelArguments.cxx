@@ -3,7 +3,7 @@
 #include "Messages.h"
 #include "Progress.h"
 #include "Results.h"
-#include "Scene/Segments.h"
+#include "Scene/Segments/Segments.h"
 #include "UsageError.h"
 
 #include <nlohmann/json.hpp>

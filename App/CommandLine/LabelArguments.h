@@ -1,7 +1,7 @@
 #ifndef Varimarch_CommandLine_LabelArguments_h
 #define Varimarch_CommandLine_LabelArguments_h
 
-#include "Scene/LabelMap.h"
+#include "Scene/Segments/LabelMap.h"
 
 #include <nlohmann/json_fwd.hpp>
 

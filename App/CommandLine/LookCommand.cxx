@@ -1,9 +1,9 @@
 #include "Commands.h"
 
 #include "ArgumentChecks.h"
-#include "Scene/LookFiles.h"
-#include "Scene/Presets.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Looks/LookFiles.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
 #include "UsageError.h"
 
 #include <vtksys/SystemTools.hxx>

@@ -1,7 +1,7 @@
 #include "OutputFolder.h"
 
 #include "Messages.h"
-#include "Scene/OutputFile.h"
+#include "Scene/Files/OutputFile.h"
 
 #include <stdexcept>
 

@@ -2,8 +2,8 @@
 
 #include "LabelArguments.h"
 #include "Messages.h"
-#include "Scene/ImageStatistics.h"
-#include "Scene/Placing.h"
+#include "Scene/Volumes/ImageStatistics.h"
+#include "Scene/Volumes/Placing.h"
 #include "UsageError.h"
 #include "VolumeArguments.h"
 

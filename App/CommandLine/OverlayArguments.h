@@ -1,8 +1,8 @@
 #ifndef Varimarch_CommandLine_OverlayArguments_h
 #define Varimarch_CommandLine_OverlayArguments_h
 
-#include "Scene/SceneOverlays.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Pipeline/SceneOverlays.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include "Parser.h"
 
 #include "ArgumentChecks.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Looks/Presets.h"
 #include "SettingOptions.h"
 
 #include <CLI/CLI.hpp>

@@ -5,10 +5,10 @@
 #include "OverlayArguments.h"
 #include "Progress.h"
 #include "Results.h"
-#include "Scene/ImageFiles.h"
+#include "Scene/Images/ImageFiles.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/SceneNames.h"
 #include "UsageError.h"
 #include "VtkMessages.h"
 

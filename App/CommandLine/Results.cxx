@@ -1,7 +1,7 @@
 #include "Results.h"
 
-#include "Scene/JsonCursor.h"
-#include "Scene/OutputFile.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Json/JsonCursor.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #ifndef Varimarch_CommandLine_Results_h
 #define Varimarch_CommandLine_Results_h
 
-#include "Scene/Scene.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <nlohmann/json_fwd.hpp>
 

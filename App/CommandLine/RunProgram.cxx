@@ -1,6 +1,6 @@
 #include "Messages.h"
 #include "Parser.h"
-#include "Scene/OutputFile.h"
+#include "Scene/Files/OutputFile.h"
 #include "UsageError.h"
 #include "VtkMessages.h"
 

@@ -1,14 +1,14 @@
 #include "SceneArguments.h"
 
-#include "Scene/BodyMask.h"
-#include "Scene/ImageStatistics.h"
-#include "Scene/LabelMap.h"
-#include "Scene/LookFiles.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
-#include "Scene/SceneLights.h"
-#include "Scene/SceneNames.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Looks/LookFiles.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Model/SceneLights.h"
+#include "Scene/Segments/BodyMask.h"
+#include "Scene/Segments/LabelMap.h"
+#include "Scene/Volumes/ImageStatistics.h"
 #include "UsageError.h"
 
 namespace varimarch

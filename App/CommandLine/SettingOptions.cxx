@@ -2,9 +2,9 @@
 
 #include "ArgumentChecks.h"
 #include "Parser.h"
-#include "Scene/JsonCursor.h"
-#include "Scene/SceneFormat.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Json/JsonCursor.h"
+#include "Scene/Json/SceneFormat.h"
+#include "Scene/Model/SceneLights.h"
 
 #include <CLI/CLI.hpp>
 

@@ -12,7 +12,7 @@ namespace varimarch
 {
 
 // Options for the settings of a scene. They are made from the lists of fields in
-// Scene/SceneFields.h, so that a setting has one key, range and sentence.
+// Scene/Json/SceneFields.h, so that a setting has one key, range and sentence.
 
 /// Adds the options of lights, of how matter takes and scatters light, and of the blend mode.
 void AddLookSettings(CLI::App& command, SceneArguments& arguments);

@@ -1,6 +1,6 @@
 #include "Truth.h"
 
-#include "Scene/ReferenceCache.h"
+#include "Scene/Reference/ReferenceCache.h"
 
 #include <chrono>
 #include <cmath>

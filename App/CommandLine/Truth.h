@@ -1,7 +1,7 @@
 #ifndef Varimarch_CommandLine_Truth_h
 #define Varimarch_CommandLine_Truth_h
 
-#include "Scene/ReferencePicture.h"
+#include "Scene/Reference/ReferencePicture.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

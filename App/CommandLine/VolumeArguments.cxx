@@ -3,8 +3,8 @@
 #include "ArgumentChecks.h"
 #include "Messages.h"
 #include "Progress.h"
-#include "Scene/RawGuess.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Volumes/RawGuess.h"
 #include "UsageError.h"
 
 #include <charconv>

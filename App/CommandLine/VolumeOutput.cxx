@@ -3,7 +3,7 @@
 #include "ArgumentChecks.h"
 #include "Messages.h"
 #include "Progress.h"
-#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 #include "UsageError.h"
 #include "VtkMessages.h"
 

@@ -1,8 +1,8 @@
 #ifndef Varimarch_CommandLine_VolumeOutput_h
 #define Varimarch_CommandLine_VolumeOutput_h
 
-#include "Scene/VolumeLoading.h"
-#include "Scene/VolumeWriters/ZarrFolder.h"
+#include "Scene/Volumes/VolumeLoading.h"
+#include "Scene/Volumes/VolumeWriters/ZarrFolder.h"
 
 #include <string>
 

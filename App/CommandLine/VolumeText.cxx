@@ -2,7 +2,7 @@
 
 #include "Readers/ImageFacts.h"
 #include "Results.h"
-#include "Scene/SliceAxes.h"
+#include "Scene/Slices/SliceAxes.h"
 
 #include <vtkMatrix3x3.h>
 

@@ -1,8 +1,8 @@
 #ifndef Varimarch_CommandLine_VolumeText_h
 #define Varimarch_CommandLine_VolumeText_h
 
-#include "Scene/ImageStatistics.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/ImageStatistics.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <nlohmann/json_fwd.hpp>
 

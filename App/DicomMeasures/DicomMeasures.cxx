@@ -1,9 +1,9 @@
 #include "DicomMeasures/DicomMeasures.h"
 
 #include "DicomSegments/ScanImages.h"
-#include "Scene/MeasureKinds.h"
-#include "Scene/OutputFile.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <dcmtk/dcmsr/dsrdoc.h>
 #include <dcmtk/oflog/oflog.h>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_DicomMeasures_DicomMeasures_h
 #define Varimarch_DicomMeasures_DicomMeasures_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 
 #include <string>
 #include <vector>

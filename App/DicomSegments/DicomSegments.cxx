@@ -1,7 +1,7 @@
 #include "DicomSegments/DicomSegments.h"
 
 #include "DicomSegments/ScanImages.h"
-#include "Scene/OutputFile.h"
+#include "Scene/Files/OutputFile.h"
 
 #include <dcmtk/config/osconfig.h>
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_DicomSegments_DicomSegments_h
 #define Varimarch_DicomSegments_DicomSegments_h
 
-#include "Scene/LabelMap.h"
+#include "Scene/Segments/LabelMap.h"
 
 #include <string>
 #include <vector>

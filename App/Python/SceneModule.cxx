@@ -3,15 +3,15 @@
 #include "vtkPython.h" // Python's header must come first
 
 #include "Readers/VtkMessages.h"
-#include "Scene/JsonCursor.h"
-#include "Scene/LabelMap.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
-#include "Scene/SceneFormat.h"
-#include "Scene/SceneNames.h"
-#include "Scene/VariationImage.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Json/JsonCursor.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Json/SceneFormat.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Segments/LabelMap.h"
+#include "Scene/Volumes/VariationImage.h"
 
 #include <nlohmann/json.hpp>
 #include <vtkPythonUtil.h>

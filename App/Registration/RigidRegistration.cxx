@@ -1,9 +1,9 @@
 #include "Registration/RigidRegistration.h"
 
-#include "Scene/Placing.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/VolumeLoading.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/WorldVector.h"
+#include "Scene/Volumes/Placing.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <itkCommand.h>
 #include <itkEuler3DTransform.h>

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Registration_RigidRegistration_h
 #define Varimarch_Registration_RigidRegistration_h
 
-#include "Scene/Scene.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 class vtkImageData;
 

@@ -1,8 +1,8 @@
 #include "Viewer/ExportActions.h"
 
-#include "Scene/Presets.h"
-#include "Scene/SceneChange.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Model/SceneChange.h"
 #include "Viewer/Archives/SendDialog.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/OwnPresets.h"

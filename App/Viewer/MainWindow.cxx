@@ -1,7 +1,7 @@
 #include "Viewer/MainWindow.h"
 
-#include "Scene/Presets.h"
-#include "Scene/SlicePicture.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Slices/SlicePicture.h"
 #include "Viewer/AccessibleNames.h"
 #include "Viewer/ExportActions.h"
 #include "Viewer/HelpActions.h"

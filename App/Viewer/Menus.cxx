@@ -1,6 +1,6 @@
 #include "Viewer/Menus.h"
 
-#include "Scene/SceneCamera.h"
+#include "Scene/Model/SceneCamera.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SliceWindows.h"

@@ -1,8 +1,8 @@
 #include "Viewer/OpenActions.h"
 
-#include "Scene/Presets.h"
-#include "Scene/RawGuess.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Volumes/RawGuess.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/OwnPresets.h"

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Viewer_OpenActions_h
 #define Varimarch_Viewer_OpenActions_h
 
-#include "Scene/Placing.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/Placing.h"
 #include "Viewer/Open/LoadRequest.h"
 
 #include <QObject>

@@ -2,8 +2,8 @@
 
 #include "DicomSegments/DicomSegments.h"
 #include "Readers/Dicom/TaggedSeries.h"
-#include "Scene/LabelMap.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Segments/LabelMap.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SessionFile.h"

@@ -1,6 +1,6 @@
 #include "App/AnalyticPictures.h"
 
-#include "Scene/ReferenceRequest.h"
+#include "Scene/Reference/ReferenceRequest.h"
 
 #include <algorithm>
 

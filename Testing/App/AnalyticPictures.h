@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_AnalyticPictures_h
 #define Varimarch_Testing_AnalyticPictures_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Support/AnalyticScenes.h"
 
 #include <vtkImageData.h>

@@ -4,8 +4,8 @@
 #include "Benchmarks/Comparison/vtkComparisonMapper.h"
 
 #include "Core/Quality/ImageError.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vector>
 

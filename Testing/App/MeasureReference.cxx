@@ -1,8 +1,8 @@
 // Measures the time of a reference image: MeasureReference FILE PRESET SIZE TOLERANCE [unshaded]
 
-#include "Scene/Presets.h"
-#include "Scene/ReferencePicture.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Reference/ReferencePicture.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <chrono>
 #include <cstring>

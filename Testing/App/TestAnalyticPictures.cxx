@@ -2,8 +2,8 @@
 
 #include "App/AnalyticPictures.h"
 #include "Core/Quality/ImageError.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/ReferencePicture.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Reference/ReferencePicture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Scene/SliceAxes.h"
+#include "Scene/Slices/SliceAxes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The body of a scan is told from the table, the air and what lies between them.
 
-#include "Scene/BodyMask.h"
-#include "Scene/SceneCuts.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Segments/BodyMask.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

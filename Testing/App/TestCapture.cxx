@@ -1,7 +1,7 @@
 #include "Module/PhantomFiles.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Presets.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

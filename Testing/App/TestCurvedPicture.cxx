@@ -1,7 +1,7 @@
 // Curves through points, and the volume straightened along them.
 
-#include "Scene/CurvedPicture.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Model/WorldVector.h"
+#include "Scene/Slices/CurvedPicture.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

@@ -1,4 +1,4 @@
-#include "Scene/DifferencePicture.h"
+#include "Scene/Images/DifferencePicture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // The preset that a file gets by itself shows something of it, whatever its format and size.
 
 #include "Module/GoodFiles.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Presets.h"
-#include "Scene/VolumeLoading.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <gtest/gtest.h>
 

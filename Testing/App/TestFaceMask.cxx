@@ -1,8 +1,8 @@
 // The face of a head: an ellipsoid with a nose, in CT and in values without a unit, in any
 // direction.
 
-#include "Scene/BodyMask.h"
-#include "Scene/OffscreenView.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Segments/BodyMask.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

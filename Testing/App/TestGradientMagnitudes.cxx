@@ -1,6 +1,6 @@
 // Gradient magnitudes of volumes, per mm.
 
-#include "Scene/ValueGradientHistogram.h"
+#include "Scene/Looks/ValueGradientHistogram.h"
 
 #include <gtest/gtest.h>
 

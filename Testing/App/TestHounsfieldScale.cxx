@@ -1,10 +1,10 @@
 // Looks in Hounsfield units on volumes that have none: the values that stand for them are found in
 // the histogram.
 
-#include "Scene/ImageStatistics.h"
-#include "Scene/Presets.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Volumes/ImageStatistics.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -1,5 +1,5 @@
 // Images in files: formats by name, and DICOM images without data of the patient.
-#include "Scene/ImageFiles.h"
+#include "Scene/Images/ImageFiles.h"
 
 #include <vtkDICOMMetaData.h>
 #include <vtkDICOMReader.h>

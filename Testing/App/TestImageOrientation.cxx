@@ -1,4 +1,4 @@
-#include "Scene/ImageOrientation.h"
+#include "Scene/Volumes/ImageOrientation.h"
 
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>

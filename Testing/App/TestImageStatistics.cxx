@@ -1,5 +1,5 @@
 #include "Readers/ImageFacts.h"
-#include "Scene/ImageStatistics.h"
+#include "Scene/Volumes/ImageStatistics.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

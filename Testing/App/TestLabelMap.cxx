@@ -1,4 +1,4 @@
-#include "Scene/LabelMap.h"
+#include "Scene/Segments/LabelMap.h"
 
 #include <vtkMatrix3x3.h>
 #include <vtkNew.h>

@@ -6,9 +6,9 @@
 
 #include "Core/Quality/ImageError.h"
 #include "Core/Reference/LightTransmittance.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/ReferenceRequest.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Reference/ReferenceRequest.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

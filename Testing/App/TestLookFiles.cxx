@@ -1,9 +1,9 @@
 // Other programs' looks, with the irregularities of real files. Files that cannot be read are
 // explained in one sentence.
 
-#include "Scene/LookFiles.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/LookFiles.h"
+#include "Scene/Looks/Presets.h"
 
 #include <plist/plist.h>
 

@@ -1,12 +1,12 @@
 // Transfer functions of value and gradient: their formula, their pictures, and their histogram.
 
 #include "Core/Quality/ImageError.h"
-#include "Scene/LookRegions.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/ScenePicking.h"
-#include "Scene/ValueGradientHistogram.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Looks/LookRegions.h"
+#include "Scene/Looks/ValueGradientHistogram.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Pipeline/ScenePicking.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

@@ -1,8 +1,8 @@
 // Measurements of a volume against their formulas.
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/RegionStatistics.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Measures/RegionStatistics.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

@@ -1,7 +1,7 @@
 // Measurements and annotations in scene files.
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Measures/MeasureKinds.h"
 
 #include <gtest/gtest.h>
 

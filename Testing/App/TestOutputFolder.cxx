@@ -1,7 +1,7 @@
 // A folder that is written is whole under its final name at all times.
 
 #include "Module/PhantomFiles.h"
-#include "Scene/OutputFile.h"
+#include "Scene/Files/OutputFile.h"
 
 #include <gtest/gtest.h>
 

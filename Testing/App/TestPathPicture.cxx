@@ -1,6 +1,6 @@
-#include "Scene/ProceduralVolume.h"
-#include "Scene/ReferencePicture.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Model/SceneLights.h"
+#include "Scene/Reference/ReferencePicture.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "Core/Quality/ImageError.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Presets.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/ReferencePicture.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/SceneLights.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/SceneLights.h"
+#include "Scene/Reference/ReferencePicture.h"
+#include "Scene/Volumes/ProceduralVolume.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "Scene/Placing.h"
+#include "Scene/Volumes/Placing.h"
 
-#include "Scene/ImageStatistics.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ImageStatistics.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "Scene/Presets.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/SceneFile.h"
-#include "Scene/VolumeLoading.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Volumes/ProceduralVolume.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

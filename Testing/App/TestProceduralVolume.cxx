@@ -1,4 +1,4 @@
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkPointData.h>
 

@@ -1,6 +1,6 @@
 // Guesses at the layout of raw files from their names and sizes.
 
-#include "Scene/RawGuess.h"
+#include "Scene/Volumes/RawGuess.h"
 
 #include <gtest/gtest.h>
 

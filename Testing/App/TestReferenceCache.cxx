@@ -1,7 +1,7 @@
-#include "Scene/ProceduralVolume.h"
-#include "Scene/ReferenceCache.h"
-#include "Scene/SceneLights.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Model/SceneLights.h"
+#include "Scene/Reference/ReferenceCache.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Documentation/Mathematics.md.
 
 #include "Core/Reference/PathTracer.h"
-#include "Scene/ReferenceRequest.h"
+#include "Scene/Reference/ReferenceRequest.h"
 
 #include <vtkImageData.h>
 

@@ -1,13 +1,13 @@
 // Looks of volumes of any size, of colours and of channels; and the reasons why nothing is seen.
 
 #include "Readers/ImageFacts.h"
-#include "Scene/ImageStatistics.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Presets.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/SceneFile.h"
-#include "Scene/VolumeColors.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Volumes/ImageStatistics.h"
+#include "Scene/Volumes/ProceduralVolume.h"
+#include "Scene/Volumes/VolumeColors.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

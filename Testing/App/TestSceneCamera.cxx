@@ -1,4 +1,4 @@
-#include "Scene/SceneCamera.h"
+#include "Scene/Model/SceneCamera.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>

@@ -1,8 +1,8 @@
-#include "Scene/SceneChange.h"
+#include "Scene/Model/SceneChange.h"
 
 #include "Core/Look/TransferFunction.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneCuts.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Model/SceneCuts.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

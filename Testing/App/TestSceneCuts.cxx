@@ -1,4 +1,4 @@
-#include "Scene/SceneCuts.h"
+#include "Scene/Model/SceneCuts.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

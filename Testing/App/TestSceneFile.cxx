@@ -1,7 +1,7 @@
-#include "Scene/Presets.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/SceneFile.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Model/SceneCuts.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // Errors in scenes: each names the file, the key, the expected value and the found one.
 
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 
 #include <gtest/gtest.h>
 

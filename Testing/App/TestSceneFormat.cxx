@@ -1,6 +1,6 @@
 // The files that are made from the lists of fields of a scene.
 
-#include "Scene/SceneFormat.h"
+#include "Scene/Json/SceneFormat.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 // the volume is.
 
 #include "Core/Quality/ImageError.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Placing.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/SceneLights.h"
+#include "Scene/Volumes/Placing.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

@@ -1,8 +1,8 @@
 // Picking along a ray, and the part of a volume that a scene's cuts keep.
 
-#include "Scene/OffscreenView.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/ScenePicking.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Pipeline/ScenePicking.h"
 
 #include <vtkImageData.h>
 

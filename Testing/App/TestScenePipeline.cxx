@@ -1,8 +1,8 @@
 #include "Core/Quality/ImageError.h"
-#include "Scene/OffscreenView.h"
-#include "Scene/Presets.h"
-#include "Scene/ProceduralVolume.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Model/SceneLights.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkLightCollection.h>

@@ -1,8 +1,8 @@
 // Scissors: the part that an outline removes, in masks, in images and in picking.
 
-#include "Scene/OffscreenView.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/ScenePicking.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Pipeline/ScenePicking.h"
 
 #include <vtkImageData.h>
 

@@ -1,7 +1,7 @@
 // Labels over a scan: a visible segment has its own colour and opacity, everything else the look.
 #include "Core/Quality/ImageError.h"
-#include "Scene/LabelMap.h"
-#include "Scene/OffscreenView.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Segments/LabelMap.h"
 
 #include <vtkCamera.h>
 #include <vtkNew.h>

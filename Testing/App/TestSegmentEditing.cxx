@@ -1,6 +1,6 @@
 // Editing of segments, on a grid of 1 x 2 x 3 mm that is turned.
 
-#include "Scene/SegmentEditing.h"
+#include "Scene/Segments/SegmentEditing.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

@@ -1,8 +1,8 @@
 // Segments are read back as they were written, on the grid of the scan.
 
 #include "Module/PhantomFiles.h"
-#include "Scene/LabelMap.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Segments/LabelMap.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <gtest/gtest.h>
 

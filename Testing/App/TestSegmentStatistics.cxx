@@ -1,6 +1,6 @@
 // Statistics of a scan in segments, against values computed by hand.
 
-#include "Scene/RegionStatistics.h"
+#include "Scene/Measures/RegionStatistics.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

@@ -1,4 +1,4 @@
-#include "Scene/Segments.h"
+#include "Scene/Segments/Segments.h"
 
 #include <vtkImageData.h>
 #include <vtkMath.h>

@@ -1,6 +1,6 @@
 // A single image is seen in its own plane, however it lies in the patient.
 
-#include "Scene/SlicePicture.h"
+#include "Scene/Slices/SlicePicture.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

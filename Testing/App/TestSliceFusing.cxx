@@ -1,4 +1,4 @@
-#include "Scene/SliceFusing.h"
+#include "Scene/Slices/SliceFusing.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

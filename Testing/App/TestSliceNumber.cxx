@@ -1,7 +1,7 @@
 // The number of a slice, and the windows of a modality.
 
-#include "Scene/Presets.h"
-#include "Scene/SlicePicture.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Slices/SlicePicture.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -1,7 +1,7 @@
 // Slices: the patient's sides are where radiologists expect them, and values are interpolated
 // between voxels.
 
-#include "Scene/SlicePicture.h"
+#include "Scene/Slices/SlicePicture.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

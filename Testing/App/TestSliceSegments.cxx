@@ -1,6 +1,6 @@
 // Segments in slices: outlines and light fill, at the places of the slice's voxels.
 
-#include "Scene/SliceFusing.h"
+#include "Scene/Slices/SliceFusing.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

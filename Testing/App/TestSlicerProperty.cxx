@@ -1,9 +1,9 @@
 // Slicer's volume properties: files are written and read back, cleaned if irregular, and explained
 // if broken.
 
-#include "Scene/LookFormats/LookFormats.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/LookFormats/LookFormats.h"
+#include "Scene/Looks/Presets.h"
 
 #include <nlohmann/json.hpp>
 

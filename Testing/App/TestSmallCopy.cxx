@@ -1,6 +1,6 @@
 // Reduced copies of volumes: fewer voxels with the same values at the same places.
 
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <vtkImageData.h>
 

@@ -1,6 +1,6 @@
 // The field of variations of an image: a volume of bytes in the same place.
 
-#include "Scene/VariationImage.h"
+#include "Scene/Volumes/VariationImage.h"
 
 #include <gtest/gtest.h>
 

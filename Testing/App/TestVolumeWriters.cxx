@@ -1,5 +1,5 @@
 // Volumes that are written and read again are the same.
-#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 #include "Support/UserFaults.h"
 
 #include <vtkDataArray.h>

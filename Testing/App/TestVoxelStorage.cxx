@@ -2,7 +2,7 @@
 // stores.
 
 #include "App/ComparedScene.h"
-#include "Scene/ReferencePicture.h"
+#include "Scene/Reference/ReferencePicture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // A target for each format of looks.
 #include "Fuzz/FuzzInput.h"
 #include "Fuzz/FuzzTarget.h"
-#include "Scene/LookFiles.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/LookFiles.h"
+#include "Scene/Looks/Presets.h"
 
 #include <algorithm>
 #include <stdexcept>

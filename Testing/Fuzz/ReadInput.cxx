@@ -1,7 +1,7 @@
 #include "Fuzz/ReadInput.h"
 
 #include "Fuzz/FuzzTarget.h"
-#include "Scene/SceneNames.h"
+#include "Scene/Json/SceneNames.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_Fuzz_ReadInput_h
 #define Varimarch_Testing_Fuzz_ReadInput_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 
 #include <string>
 

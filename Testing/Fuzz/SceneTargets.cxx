@@ -2,10 +2,10 @@
 #include "Fuzz/FuzzInput.h"
 #include "Fuzz/FuzzTarget.h"
 #include "Fuzz/ReadInput.h"
-#include "Scene/Presets.h"
-#include "Scene/RawGuess.h"
-#include "Scene/RemoteMessage.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/RemoteMessage.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Volumes/RawGuess.h"
 
 #include <algorithm>
 #include <stdexcept>

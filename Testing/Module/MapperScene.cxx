@@ -1,6 +1,6 @@
 #include "Module/MapperScene.h"
 
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

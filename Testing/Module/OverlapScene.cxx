@@ -1,7 +1,7 @@
 #include "Module/OverlapScene.h"
 
 #include "Core/Reference/ReferenceImage.h"
-#include "Scene/FloatCapture.h"
+#include "Scene/Images/FloatCapture.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkStringArray.h>

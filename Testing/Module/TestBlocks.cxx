@@ -2,7 +2,7 @@
 
 #include "Module/MapperScene.h"
 #include "Resources/VolumeTexture.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 #include "VtkVersions.h"
 

@@ -1,7 +1,7 @@
 // Compositing from the back to the front gives the image of the usual order.
 
 #include "Module/MapperScene.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <gtest/gtest.h>
 

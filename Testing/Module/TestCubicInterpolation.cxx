@@ -2,7 +2,7 @@
 
 #include "Core/Geometry/PixelRays.h"
 #include "Module/CubicScene.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkCellData.h>

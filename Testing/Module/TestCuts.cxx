@@ -2,7 +2,7 @@
 
 #include "Module/MapperScene.h"
 #include "Module/UsualSettings.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkMath.h>

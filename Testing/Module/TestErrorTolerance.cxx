@@ -1,7 +1,7 @@
 // The mapper keeps its error tolerance, judged by the reference integrator.
 
 #include "Module/MapperScene.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkLight.h>

@@ -1,7 +1,7 @@
 // Nearest-neighbour interpolation, VTK's default: voxels are boxes of one value, rendered exactly.
 
 #include "Module/MapperScene.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // used, and what they support.
 
 #include "Module/ProcessorMarching.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkAbstractArray.h>

@@ -5,7 +5,7 @@
 
 #include "Module/Dice.h"
 #include "Module/MapperScene.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>

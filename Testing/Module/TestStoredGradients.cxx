@@ -1,7 +1,7 @@
 // Gradients in a texture: the image of gradients on the fly, with fewer fetches and more memory.
 
 #include "Module/MapperScene.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkContourValues.h>
 

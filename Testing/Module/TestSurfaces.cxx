@@ -2,7 +2,7 @@
 
 #include "Core/Geometry/ScalarGrid.h"
 #include "Module/MapperScene.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 #include "Support/ExpectedVtkErrors.h"
 
 #include <vtkBox.h>

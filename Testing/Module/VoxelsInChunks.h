@@ -2,7 +2,7 @@
 #define Varimarch_Testing_VoxelsInChunks_h
 
 #include "Module/PhantomFiles.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 #include "Support/UserFaults.h"
 
 #include <vtkVolumeFileReader.h>

@@ -4,7 +4,7 @@
 #include "Module/ProcessorMarching.h"
 #include "Module/ReferenceMixture.h"
 #include "Module/UnevenGrid.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageMagnitude.h>

@@ -1,6 +1,6 @@
 #include "Regression/PictureJudgement.h"
 
-#include "Scene/ImageFiles.h"
+#include "Scene/Images/ImageFiles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include "Regression/RegressionCase.h"
 #include "Regression/VtkDifferences.h"
 #include "Regression/VtkMapper.h"
-#include "Scene/ImageFiles.h"
-#include "Scene/Scene.h"
+#include "Scene/Images/ImageFiles.h"
+#include "Scene/Model/Scene.h"
 
 #include <vtkAbstractVolumeMapper.h>
 #include <vtkCallbackCommand.h>

@@ -1,6 +1,6 @@
 #include "Regression/VtkDifferences.h"
 
-#include "Scene/OutputFile.h"
+#include "Scene/Files/OutputFile.h"
 
 #include <cmath>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "Regression/VtkMapper.h"
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 

@@ -4,7 +4,7 @@
 
 #include "LeaksOfOthers.h"
 #include "PrivateSettings.h"
-#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/RegionEditor/RegionEditor.h"
 #include "Viewer/View/ComparisonView.h"

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_OverlaidStudy_h
 #define Varimarch_Testing_OverlaidStudy_h
 
-#include "Scene/Placing.h"
+#include "Scene/Volumes/Placing.h"
 #include "SmallStudy.h"
 
 /// A PET of 12 voxels along each axis around the middle of a scan, with 1000 Bq/ml in the middle 8

@@ -1,7 +1,7 @@
 #include "TaskScans.h"
 
 #include "Module/PhantomDicom.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -1,7 +1,7 @@
 // Regions, arrows and curves drawn in slices by the mouse, and the view along a curve.
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Model/WorldVector.h"
 #include "SmallStudy.h"
 #include "Viewer/View/CurvedView.h"
 #include "Viewer/View/SliceView.h"

@@ -6,7 +6,7 @@
 #include "FakeWebArchive.h"
 #include "Module/PhantomFiles.h"
 #include "Readers/PrivateFolder.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/VolumeLoading.h"
 #include "Viewer/Archives/ArchiveChoice.h"
 #include "Viewer/Archives/ArchiveWindow.h"
 #include "Waiting.h"

@@ -1,6 +1,6 @@
 // The channels of a volume in the look panel, in undo steps and in sessions; and its scale.
 
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/LookBoxes.h"
 #include "Viewer/Panels/LookPanel.h"

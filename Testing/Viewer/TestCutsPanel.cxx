@@ -1,6 +1,6 @@
 // The panel of cuts: its buttons and sliders edit the scene, and show it.
 
-#include "Scene/SceneCuts.h"
+#include "Scene/Model/SceneCuts.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/CutsPanel.h"
 

@@ -2,8 +2,8 @@
 
 #include "DicomMeasures/DicomMeasures.h"
 #include "ScanOfPatient.h"
-#include "Scene/MeasureKinds.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

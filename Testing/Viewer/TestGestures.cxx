@@ -1,7 +1,7 @@
 // Gestures in the views keep every point of the hand, however long the program takes to draw.
 
 #include "Readers/VtkMessages.h"
-#include "Scene/SceneCamera.h"
+#include "Scene/Model/SceneCamera.h"
 #include "TorsoWindow.h"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 // The window after a reset of the graphics card. A test answers in place of the driver.
 
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 #include "Support/ResettingDriver.h"
 #include "TorsoWindow.h"
 

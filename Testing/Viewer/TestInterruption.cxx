@@ -2,12 +2,12 @@
 // leave beside it is deleted by the next one that writes there. Each case forks a writer many times
 // and kills it after a random time; VARIMARCH_KILLS sets how many times, for a longer run.
 
-#include "Scene/ImageFiles.h"
-#include "Scene/LookFiles.h"
-#include "Scene/OutputFile.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
-#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Images/ImageFiles.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/LookFiles.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 #include "SmallStudy.h"
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/View/Movies.h"

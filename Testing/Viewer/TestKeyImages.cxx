@@ -2,7 +2,7 @@
 
 #include "Module/PhantomFiles.h"
 #include "ScanOfTimes.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/MeasuresPanel.h"
 #include "Viewer/Reports/ScanReport.h"

@@ -2,7 +2,7 @@
 
 #include "LabelledStudy.h"
 #include "OverlaidStudy.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Language.h"
 #include "Viewer/Model/MeasureTexts.h"

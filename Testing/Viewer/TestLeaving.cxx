@@ -1,7 +1,7 @@
 // Nothing that the user made is lost, and files that were saved can be opened again.
 
 #include "Answers.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 #include "TorsoWindow.h"
 #include "Viewer/Model/StudyTimes.h"
 

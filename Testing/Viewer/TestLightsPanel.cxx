@@ -1,8 +1,8 @@
 // The panel of the lights: adds, places, colours and removes them, each in a step of its own.
 
-#include "Scene/Presets.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/SceneLights.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/LightsPanel.h"
 

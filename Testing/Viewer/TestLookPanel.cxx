@@ -1,7 +1,7 @@
 // The look panel shows the model, every change is an undo step, and files preserve looks.
 
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/TransferFunctionEditor/TransferFunctionEditor.h"

@@ -1,6 +1,6 @@
 // The whole window with real events, on a virtual display.
 
-#include "Scene/Presets.h"
+#include "Scene/Looks/Presets.h"
 #include "TorsoWindow.h"
 #include "Viewer/Reports/BenchmarkDialog.h"
 #include "Viewer/View/VolumeView.h"

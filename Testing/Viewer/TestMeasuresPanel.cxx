@@ -2,7 +2,7 @@
 
 #include "Answers.h"
 #include "ScanOfPatient.h"
-#include "Scene/Placing.h"
+#include "Scene/Volumes/Placing.h"
 #include "SmallStudy.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/MeasuresPanel.h"

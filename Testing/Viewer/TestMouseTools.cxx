@@ -1,9 +1,9 @@
 // Tools of the left button: handles of cuts, measuring, scissors, window and level.
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/SceneCamera.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Model/SceneCamera.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/WorldVector.h"
 #include "SmallStudy.h"
 #include "Viewer/Panels/CutsPanel.h"
 #include "Viewer/Tools/MouseTools.h"

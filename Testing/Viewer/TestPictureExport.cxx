@@ -2,7 +2,7 @@
 
 #include "Answers.h"
 #include "LabelledStudy.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 #include "Viewer/View/PictureExport.h"
 
 #include <QCheckBox>

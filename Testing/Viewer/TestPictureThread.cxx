@@ -1,5 +1,5 @@
 #include "LabelledStudy.h"
-#include "Scene/OffscreenView.h"
+#include "Scene/Images/OffscreenView.h"
 #include "Viewer/View/PictureThread.h"
 #include "Viewer/View/VtkPictures.h"
 #include "Waiting.h"

@@ -1,7 +1,7 @@
 // The preset gallery: thumbnails of this volume, presets applied by a click, and the user's own.
 
 #include "OverlaidStudy.h"
-#include "Scene/Presets.h"
+#include "Scene/Looks/Presets.h"
 #include "Viewer/Panels/PresetGallery.h"
 #include "Waiting.h"
 

@@ -3,8 +3,8 @@
 
 #include "Answers.h"
 #include "Module/PhantomFiles.h"
-#include "Scene/LookFiles.h"
-#include "Scene/Presets.h"
+#include "Scene/Looks/LookFiles.h"
+#include "Scene/Looks/Presets.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SessionFile.h"

@@ -8,8 +8,8 @@
 #include "OverlaidStudy.h"
 #include "RandomUser.h"
 #include "ScanOfTimes.h"
-#include "Scene/LabelMap.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Segments/LabelMap.h"
 #include "TorsoWindow.h"
 
 #include <QApplication>

@@ -1,8 +1,8 @@
 // A volume that was moved by a known motion is found again.
 
 #include "Registration/RigidRegistration.h"
-#include "Scene/Placing.h"
-#include "Scene/ProceduralVolume.h"
+#include "Scene/Volumes/Placing.h"
+#include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

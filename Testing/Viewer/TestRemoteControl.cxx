@@ -1,8 +1,8 @@
 // Scripts that drive the window through its local socket: looks go both ways, and no message harms.
 
 #include "OverlaidStudy.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
 #include "TorsoWindow.h"
 #include "Viewer/Remote/RemoteControl.h"
 

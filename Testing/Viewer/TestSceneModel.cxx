@@ -1,7 +1,7 @@
 // The model: every edit is an undo step, a gesture is a single step, and a new volume clears them.
 
 #include "LabelledStudy.h"
-#include "Scene/Presets.h"
+#include "Scene/Looks/Presets.h"
 
 #include <QSignalSpy>
 

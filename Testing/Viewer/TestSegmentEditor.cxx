@@ -1,7 +1,7 @@
 // Segments that are drawn by hand, with the widgets that a user operates.
 
 #include "OverlaidStudy.h"
-#include "Scene/ScenePicking.h"
+#include "Scene/Pipeline/ScenePicking.h"
 #include "Viewer/Panels/SegmentsPanel.h"
 #include "Viewer/View/SliceView.h"
 

@@ -4,7 +4,7 @@
 #include "LabelledStudy.h"
 #include "Module/PhantomSegmentation.h"
 #include "OverlaidStudy.h"
-#include "Scene/VolumeWriters/VolumeWriters.h"
+#include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 #include "TorsoWindow.h"
 #include "Viewer/Model/SessionFile.h"
 #include "Viewer/Open/SeriesPicker.h"

@@ -4,7 +4,7 @@
 #include "Module/PhantomDicom.h"
 #include "Module/PhantomFiles.h"
 #include "ScanOfPatient.h"
-#include "Scene/Placing.h"
+#include "Scene/Volumes/Placing.h"
 #include "Viewer/Archives/ArchiveChoice.h"
 #include "Viewer/Archives/SendDialog.h"
 #include "Viewer/MainWindow.h"

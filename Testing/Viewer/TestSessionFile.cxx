@@ -2,8 +2,8 @@
 
 #include "LabelledStudy.h"
 #include "OverlaidStudy.h"
-#include "Scene/LabelMap.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Segments/LabelMap.h"
 #include "Viewer/Model/SessionFile.h"
 
 #include <QTemporaryDir>

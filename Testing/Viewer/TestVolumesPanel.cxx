@@ -2,7 +2,7 @@
 
 #include "LabelledStudy.h"
 #include "OverlaidStudy.h"
-#include "Scene/Presets.h"
+#include "Scene/Looks/Presets.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Panels/LookPanel.h"
 #include "Viewer/Panels/MeasuresPanel.h"

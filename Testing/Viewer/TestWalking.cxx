@@ -1,6 +1,6 @@
 // Poses of the camera on a walk through the volume.
 
-#include "Scene/WorldVector.h"
+#include "Scene/Model/WorldVector.h"
 #include "Viewer/Tools/MouseTool.h"
 
 #include <glm/geometric.hpp>

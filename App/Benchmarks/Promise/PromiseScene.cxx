@@ -1,6 +1,6 @@
 #include "PromiseScene.h"
 
-#include "Scene/FloatCapture.h"
+#include "Scene/Images/FloatCapture.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>

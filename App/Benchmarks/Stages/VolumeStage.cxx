@@ -4,8 +4,8 @@
 #include "Core/Reference/ReferenceImage.h"
 #include "Frame/GrayRange.h"
 #include "Frame/PropertyTransferFunction.h"
-#include "Scene/FloatCapture.h"
-#include "Scene/Scene.h"
+#include "Scene/Images/FloatCapture.h"
+#include "Scene/Model/Scene.h"
 #include "Stages/CutRays.h"
 
 #include <vtkCamera.h>

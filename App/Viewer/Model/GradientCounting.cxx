@@ -1,6 +1,6 @@
 #include "Viewer/Model/GradientCounting.h"
 
-#include "Scene/ValueGradientHistogram.h"
+#include "Scene/Looks/ValueGradientHistogram.h"
 
 namespace varimarch
 {

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_GradientCounting_h
 #define Varimarch_Viewer_GradientCounting_h
 
-#include "Scene/ValueGradientHistogram.h"
+#include "Scene/Looks/ValueGradientHistogram.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
 

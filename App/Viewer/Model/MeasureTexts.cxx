@@ -1,9 +1,9 @@
 #include "Viewer/Model/MeasureTexts.h"
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/Scene.h"
-#include "Scene/ScenePicking.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Pipeline/ScenePicking.h"
+#include "Scene/Volumes/VolumeLoading.h"
 #include "Viewer/Model/Study.h"
 #include "Viewer/Model/StudyTimes.h"
 

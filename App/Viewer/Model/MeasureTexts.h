@@ -1,8 +1,8 @@
 #ifndef Varimarch_Viewer_MeasureTexts_h
 #define Varimarch_Viewer_MeasureTexts_h
 
-#include "Scene/Placing.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/Placing.h"
 
 #include <QCoreApplication>
 #include <QLocale>

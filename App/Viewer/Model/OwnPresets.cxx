@@ -1,8 +1,8 @@
 #include "Viewer/Model/OwnPresets.h"
 
-#include "Scene/LookFiles.h"
-#include "Scene/OutputFile.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/LookFiles.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Viewer_OwnPresets_h
 #define Varimarch_Viewer_OwnPresets_h
 
-#include "Scene/Presets.h"
-#include "Scene/Scene.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Model/Scene.h"
 
 #include <QString>
 #include <QStringList>

@@ -1,11 +1,11 @@
 #include "Viewer/Model/SceneModel.h"
 
-#include "Scene/Presets.h"
-#include "Scene/Scene.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/SceneFile.h"
-#include "Scene/SlicePicture.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Slices/SlicePicture.h"
 
 #include <QUndoCommand>
 

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Viewer_SceneModel_h
 #define Varimarch_Viewer_SceneModel_h
 
-#include "Scene/Scene.h"
-#include "Scene/SegmentEditing.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Segments/SegmentEditing.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/Study.h"

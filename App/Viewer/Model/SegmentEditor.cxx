@@ -1,7 +1,7 @@
 #include "Viewer/Model/SegmentEditor.h"
 
-#include "Scene/Placing.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Volumes/Placing.h"
 
 #include <optional>
 #include <utility>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_SegmentEditor_h
 #define Varimarch_Viewer_SegmentEditor_h
 
-#include "Scene/SegmentEditing.h"
+#include "Scene/Segments/SegmentEditing.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
 

@@ -1,11 +1,11 @@
 #include "Viewer/Model/SessionFile.h"
 
-#include "Scene/LabelMap.h"
-#include "Scene/OutputFile.h"
-#include "Scene/Presets.h"
-#include "Scene/Scene.h"
-#include "Scene/SceneFile.h"
-#include "Scene/SmallFile.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Files/SmallFile.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Segments/LabelMap.h"
 
 #include <vtkImageData.h>
 

@@ -1,7 +1,7 @@
 #include "Viewer/Model/SliceWindows.h"
 
-#include "Scene/Presets.h"
-#include "Scene/SlicePicture.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Slices/SlicePicture.h"
 
 #include <QCoreApplication>
 

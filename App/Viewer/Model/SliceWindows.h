@@ -9,7 +9,7 @@ namespace varimarch
 {
 
 /// Titles of the usual windows of the shown scan's modality, in the user's language; empty without
-/// a scan. See Scene/Presets.h.
+/// a scan. See Scene/Looks/Presets.h.
 QStringList WindowTitles(const SceneModel& model);
 
 /// True if the file of the shown scan recommends a window that its images share.

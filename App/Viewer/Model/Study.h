@@ -1,12 +1,12 @@
 #ifndef Varimarch_Viewer_Study_h
 #define Varimarch_Viewer_Study_h
 
-#include "Scene/ImageStatistics.h"
-#include "Scene/LabelMap.h"
-#include "Scene/RegionStatistics.h"
-#include "Scene/SceneOverlays.h"
-#include "Scene/SegmentEditing.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Measures/RegionStatistics.h"
+#include "Scene/Pipeline/SceneOverlays.h"
+#include "Scene/Segments/LabelMap.h"
+#include "Scene/Segments/SegmentEditing.h"
+#include "Scene/Volumes/ImageStatistics.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <memory>
 #include <mutex>

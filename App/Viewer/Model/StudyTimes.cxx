@@ -1,6 +1,6 @@
 #include "Viewer/Model/StudyTimes.h"
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_StudyTimes_h
 #define Varimarch_Viewer_StudyTimes_h
 
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/VolumeLoading.h"
 #include "Viewer/Model/Study.h"
 
 #include <QString>

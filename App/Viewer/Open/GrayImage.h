@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_GrayImage_h
 #define Varimarch_Viewer_GrayImage_h
 
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <QImage>
 

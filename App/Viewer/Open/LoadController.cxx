@@ -1,6 +1,6 @@
 #include "Viewer/Open/LoadController.h"
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/Log.h"
 #include "Viewer/Model/SessionFile.h"
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_LoadController_h
 #define Varimarch_Viewer_LoadController_h
 
-#include "Scene/Placing.h"
+#include "Scene/Volumes/Placing.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Open/LoadRequest.h"

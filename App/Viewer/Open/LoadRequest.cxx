@@ -3,7 +3,7 @@
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/FileSearch.h"
 #include "Readers/Dicom/Record.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Json/SceneFile.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/StudyTimes.h"
 

@@ -1,8 +1,8 @@
 #include "Viewer/Open/RawForm.h"
 
-#include "Scene/RawGuess.h"
-#include "Scene/SceneNames.h"
-#include "Scene/VolumeLoading.h"
+#include "Scene/Json/SceneNames.h"
+#include "Scene/Volumes/RawGuess.h"
+#include "Scene/Volumes/VolumeLoading.h"
 #include "Viewer/Open/GrayImage.h"
 
 #include <QComboBox>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_RawForm_h
 #define Varimarch_Viewer_RawForm_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/BackgroundTask.h"
 
 #include <QDialog>

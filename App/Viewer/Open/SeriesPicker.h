@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_SeriesPicker_h
 #define Varimarch_Viewer_SeriesPicker_h
 
-#include "Scene/VolumeLoading.h"
+#include "Scene/Volumes/VolumeLoading.h"
 
 #include <QDialog>
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_StartPage_h
 #define Varimarch_Viewer_StartPage_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/RecentScans.h"
 
 #include <QWidget>

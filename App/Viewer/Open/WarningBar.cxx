@@ -2,8 +2,8 @@
 
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/Record.h"
-#include "Scene/Scene.h"
-#include "Scene/SlicePicture.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Slices/SlicePicture.h"
 #include "Viewer/Model/RecentScans.h"
 
 #include <vtkVolumeFileReader.h>

@@ -1,9 +1,9 @@
 #include "Viewer/Panels/CutsPanel.h"
 
-#include "Scene/BodyMask.h"
-#include "Scene/SceneCamera.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/SliceAxes.h"
+#include "Scene/Model/SceneCamera.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Segments/BodyMask.h"
+#include "Scene/Slices/SliceAxes.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Panels/NumberSlider.h"
 

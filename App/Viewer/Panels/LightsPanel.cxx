@@ -1,7 +1,7 @@
 #include "Viewer/Panels/LightsPanel.h"
 
-#include "Scene/SceneCuts.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/SceneLights.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Panels/NumberSlider.h"
 

@@ -1,8 +1,8 @@
 #include "Viewer/Panels/LookBoxes.h"
 
 #include "Readers/ImageFacts.h"
-#include "Scene/ScenePipeline.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Pipeline/ScenePipeline.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/GradientCounting.h"
 #include "Viewer/Panels/NumberSlider.h"

@@ -1,8 +1,8 @@
 #include "Viewer/Panels/LookPanel.h"
 
-#include "Scene/LookFiles.h"
-#include "Scene/Presets.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Looks/LookFiles.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/GradientCounting.h"
 #include "Viewer/Model/OwnPresets.h"

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_LookPanel_h
 #define Varimarch_Viewer_LookPanel_h
 
-#include "Scene/LookFormats/LookContext.h"
+#include "Scene/Looks/LookFormats/LookContext.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QGroupBox>

@@ -1,8 +1,8 @@
 #include "Viewer/Panels/MeasuresPanel.h"
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/OutputFile.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Model/WorldVector.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/StudyTimes.h"

@@ -1,10 +1,10 @@
 #include "Viewer/Panels/PresetGallery.h"
 
-#include "Scene/OffscreenView.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
-#include "Scene/VolumeLoading.h"
-#include "Scene/VolumeProperty.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
+#include "Scene/Looks/VolumeProperty.h"
+#include "Scene/Volumes/VolumeLoading.h"
 #include "Viewer/Model/OwnPresets.h"
 #include "Viewer/View/VtkPictures.h"
 

@@ -1,9 +1,9 @@
 #include "Viewer/Panels/SegmentsPanel.h"
 
-#include "Scene/OutputFile.h"
-#include "Scene/Scene.h"
-#include "Scene/ScenePipeline.h"
-#include "Scene/Segments.h"
+#include "Scene/Files/OutputFile.h"
+#include "Scene/Model/Scene.h"
+#include "Scene/Pipeline/ScenePipeline.h"
+#include "Scene/Segments/Segments.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"

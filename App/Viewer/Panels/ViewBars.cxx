@@ -1,8 +1,8 @@
 #include "Viewer/Panels/ViewBars.h"
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/SceneCuts.h"
-#include "Scene/ScenePicking.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Pipeline/ScenePicking.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/TimeSeries.h"
 #include "Viewer/Panels/NumberSlider.h"

@@ -1,7 +1,7 @@
 #include "Viewer/Panels/VolumesPanel.h"
 
 #include "Registration/RigidRegistration.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Panels/NumberSlider.h"
 

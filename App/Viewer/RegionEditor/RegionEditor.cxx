@@ -2,7 +2,7 @@
 
 #include "Viewer/RegionEditor/RegionEditor.h"
 
-#include "Scene/LookRegions.h"
+#include "Scene/Looks/LookRegions.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/TransferFunctionEditor/EditorInput.h"

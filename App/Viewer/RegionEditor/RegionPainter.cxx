@@ -1,6 +1,6 @@
 #include "Viewer/RegionEditor/RegionPainter.h"
 
-#include "Scene/LookRegions.h"
+#include "Scene/Looks/LookRegions.h"
 #include "Viewer/TransferFunctionEditor/EditorPainter.h"
 
 #include <QLocale>

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Viewer_RegionPainter_h
 #define Varimarch_Viewer_RegionPainter_h
 
-#include "Scene/Scene.h"
-#include "Scene/ValueGradientHistogram.h"
+#include "Scene/Looks/ValueGradientHistogram.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/TransferFunctionEditor/EditorLayout.h"
 
 #include <QImage>

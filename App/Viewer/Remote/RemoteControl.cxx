@@ -1,6 +1,6 @@
 #include "Viewer/Remote/RemoteControl.h"
 
-#include "Scene/Presets.h"
+#include "Scene/Looks/Presets.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Model/Log.h"
 

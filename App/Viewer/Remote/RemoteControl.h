@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_RemoteControl_h
 #define Varimarch_Viewer_RemoteControl_h
 
-#include "Scene/RemoteMessage.h"
+#include "Scene/Json/RemoteMessage.h"
 
 #include <QLocalServer>
 #include <QObject>

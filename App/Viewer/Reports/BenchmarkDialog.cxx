@@ -1,8 +1,8 @@
 #include "Viewer/Reports/BenchmarkDialog.h"
 
 #include "Core/Quality/ImageError.h"
+#include "Scene/Files/OutputFile.h"
 #include "Scene/Median.h"
-#include "Scene/OutputFile.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Reports/ScanReport.h"

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_BenchmarkDialog_h
 #define Varimarch_Viewer_BenchmarkDialog_h
 
-#include "Scene/OffscreenView.h"
+#include "Scene/Images/OffscreenView.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QDialog>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_ScanReport_h
 #define Varimarch_Viewer_ScanReport_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/BackgroundTask.h"
 #include "Viewer/Model/Study.h"
 

@@ -1,7 +1,7 @@
 #include "Viewer/Tools/CutHandles.h"
 
-#include "Scene/SceneCuts.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/WorldVector.h"
 
 #include <QLineF>
 #include <QPainter>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_CutHandles_h
 #define Varimarch_Viewer_CutHandles_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Tools/MouseTool.h"
 #include "Viewer/View/PictureFrame.h"

@@ -1,7 +1,7 @@
 #include "Viewer/Tools/MeasureTool.h"
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Model/WorldVector.h"
 #include "Viewer/View/Overlay.h"
 
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 #include "Viewer/Tools/MouseTool.h"
 
-#include "Scene/LookRegions.h"
-#include "Scene/SceneCamera.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Looks/LookRegions.h"
+#include "Scene/Model/SceneCamera.h"
+#include "Scene/Model/WorldVector.h"
 #include "Viewer/TransferFunctionEditor/LookEditing.h"
 
 #include <QKeyEvent>

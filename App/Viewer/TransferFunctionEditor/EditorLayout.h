@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_EditorLayout_h
 #define Varimarch_Viewer_EditorLayout_h
 
-#include "Scene/ImageStatistics.h"
+#include "Scene/Volumes/ImageStatistics.h"
 #include "Viewer/TransferFunctionEditor/LookEditing.h"
 
 #include <QFontMetricsF>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_EditorPainter_h
 #define Varimarch_Viewer_EditorPainter_h
 
-#include "Scene/ImageStatistics.h"
+#include "Scene/Volumes/ImageStatistics.h"
 #include "Viewer/TransferFunctionEditor/EditorLayout.h"
 
 #include <QPalette>

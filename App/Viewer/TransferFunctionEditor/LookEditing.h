@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_LookEditing_h
 #define Varimarch_Viewer_LookEditing_h
 
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 #include "Viewer/View/ComparisonView.h"
 
-#include "Scene/DifferencePicture.h"
+#include "Scene/Images/DifferencePicture.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"

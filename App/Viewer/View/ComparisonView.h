@@ -2,7 +2,7 @@
 #define Varimarch_Viewer_ComparisonView_h
 
 #include "Core/Quality/ImageError.h"
-#include "Scene/Scene.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Tools/MouseTools.h"
 
 #include <QTimer>

@@ -1,8 +1,8 @@
 #include "Viewer/View/CurvedView.h"
 
-#include "Scene/SceneCuts.h"
-#include "Scene/SlicePicture.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/WorldVector.h"
+#include "Scene/Slices/SlicePicture.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/View/Overlay.h"
 #include "Viewer/View/SliceCorners.h"

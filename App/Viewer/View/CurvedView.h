@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_CurvedView_h
 #define Varimarch_Viewer_CurvedView_h
 
-#include "Scene/CurvedPicture.h"
+#include "Scene/Slices/CurvedPicture.h"
 #include "Viewer/Model/SceneModel.h"
 
 #include <QPointF>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_Movies_h
 #define Varimarch_Viewer_Movies_h
 
-#include "Scene/OutputFile.h"
+#include "Scene/Files/OutputFile.h"
 #include "Viewer/Model/Study.h"
 #include "Viewer/Model/StudyTimes.h"
 #include "Viewer/View/PictureExport.h"

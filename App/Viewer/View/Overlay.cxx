@@ -1,9 +1,9 @@
 #include "Viewer/View/Overlay.h"
 
-#include "Scene/MeasureKinds.h"
-#include "Scene/ScenePicking.h"
-#include "Scene/SliceAxes.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Measures/MeasureKinds.h"
+#include "Scene/Model/WorldVector.h"
+#include "Scene/Pipeline/ScenePicking.h"
+#include "Scene/Slices/SliceAxes.h"
 
 #include <QCoreApplication>
 #include <QLineEdit>

@@ -1,8 +1,8 @@
 #include "Viewer/View/PictureExport.h"
 
-#include "Scene/ImageFiles.h"
-#include "Scene/Presets.h"
-#include "Scene/SceneFile.h"
+#include "Scene/Images/ImageFiles.h"
+#include "Scene/Json/SceneFile.h"
+#include "Scene/Looks/Presets.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/StudyTimes.h"

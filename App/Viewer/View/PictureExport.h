@@ -1,8 +1,8 @@
 #ifndef Varimarch_Viewer_PictureExport_h
 #define Varimarch_Viewer_PictureExport_h
 
-#include "Scene/OffscreenView.h"
-#include "Scene/Scene.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/Scene.h"
 #include "Viewer/Model/Study.h"
 
 #include <QDialog>

@@ -1,6 +1,6 @@
 #include "Viewer/View/PictureFrame.h"
 
-#include "Scene/WorldVector.h"
+#include "Scene/Model/WorldVector.h"
 
 #include <vtkCamera.h>
 #include <vtkMatrix4x4.h>

@@ -1,6 +1,6 @@
 #include "Viewer/View/PictureReport.h"
 
-#include "Scene/SceneLights.h"
+#include "Scene/Model/SceneLights.h"
 #include "Viewer/Model/MeasureTexts.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_PictureReport_h
 #define Varimarch_Viewer_PictureReport_h
 
-#include "Scene/ScenePipeline.h"
+#include "Scene/Pipeline/ScenePipeline.h"
 
 #include <QString>
 #include <QStringList>

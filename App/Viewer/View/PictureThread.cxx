@@ -1,7 +1,7 @@
 #include "Viewer/View/PictureThread.h"
 
-#include "Scene/OffscreenView.h"
-#include "Scene/SceneLights.h"
+#include "Scene/Images/OffscreenView.h"
+#include "Scene/Model/SceneLights.h"
 #include "Viewer/Model/Study.h"
 #include "Viewer/View/VtkPictures.h"
 

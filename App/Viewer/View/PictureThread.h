@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_PictureThread_h
 #define Varimarch_Viewer_PictureThread_h
 
-#include "Scene/ScenePipeline.h"
+#include "Scene/Pipeline/ScenePipeline.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/View/PictureReport.h"
 

@@ -1,8 +1,8 @@
 #include "Viewer/View/SliceCorners.h"
 
-#include "Scene/SliceAxes.h"
-#include "Scene/SlicePicture.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Model/WorldVector.h"
+#include "Scene/Slices/SliceAxes.h"
+#include "Scene/Slices/SlicePicture.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/View/Overlay.h"
 

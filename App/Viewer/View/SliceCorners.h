@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_SliceCorners_h
 #define Varimarch_Viewer_SliceCorners_h
 
-#include "Scene/SlicePicture.h"
+#include "Scene/Slices/SlicePicture.h"
 
 #include <QRectF>
 

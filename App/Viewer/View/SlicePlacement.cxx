@@ -1,7 +1,7 @@
 #include "Viewer/View/SlicePlacement.h"
 
-#include "Scene/SceneCuts.h"
-#include "Scene/WorldVector.h"
+#include "Scene/Model/SceneCuts.h"
+#include "Scene/Model/WorldVector.h"
 
 #include <QRectF>
 

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Viewer_SlicePlacement_h
 #define Varimarch_Viewer_SlicePlacement_h
 
-#include "Scene/SliceAxes.h"
-#include "Scene/SlicePicture.h"
+#include "Scene/Slices/SliceAxes.h"
+#include "Scene/Slices/SlicePicture.h"
 
 #include <QPointF>
 #include <QSize>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_SliceView_h
 #define Varimarch_Viewer_SliceView_h
 
-#include "Scene/SlicePicture.h"
+#include "Scene/Slices/SlicePicture.h"
 #include "Viewer/Model/MeasureTexts.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SegmentEditor.h"

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_VolumeView_h
 #define Varimarch_Viewer_VolumeView_h
 
-#include "Scene/ScenePipeline.h"
+#include "Scene/Pipeline/ScenePipeline.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Model/SegmentEditor.h"
 #include "Viewer/Tools/MouseTools.h"

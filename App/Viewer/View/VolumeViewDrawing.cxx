@@ -2,8 +2,8 @@
 
 #include "Viewer/View/VolumeView.h"
 
-#include "Scene/EmptyPicture.h"
-#include "Scene/FloatCapture.h"
+#include "Scene/Images/EmptyPicture.h"
+#include "Scene/Images/FloatCapture.h"
 #include "Viewer/Dialogs.h"
 #include "Viewer/Model/Log.h"
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Viewer_VtkPictures_h
 #define Varimarch_Viewer_VtkPictures_h
 
-#include "Scene/FloatCapture.h"
+#include "Scene/Images/FloatCapture.h"
 
 #include <QImage>
 #include <QString>
