@@ -67,7 +67,7 @@ Acceleration ChosenAcceleration(ChosenNumbers& numbers, const RenderSettings& se
   }
 }
 
-// The limits of Frame/FrameBuilder.cxx and Resources/VolumeDivision.cxx.
+// The limits of Frame/FrameBuilder.cxx and Resources/VolumeResources.cxx.
 void ChooseImage(ChosenNumbers& numbers, RenderSettings& settings)
 {
   const bool isOne = settings.components == Components::One;

@@ -2,7 +2,7 @@
 
 #include "Module/ComponentVolumes.h"
 
-#include "March/Device/FilterPrecision.h"
+#include "March/Device/GraphicsDriver.h"
 #include "Resources/VolumeTexture.h"
 
 #include <vtkUnsignedCharArray.h>

@@ -342,7 +342,7 @@ LEFT_TO_SHADERS = set(
 
 def shader_files_have_twins():
     """Packets repeat each file of a slot, or its scenes are left to shaders."""
-    capability = text_of("VolumeModule/March/Processor/PacketCapability.cxx")
+    capability = text_of("VolumeModule/March/Processor/PacketMarcher.cxx")
 
     def names_in(variable):
         return set(re.findall(r'"(\w+)"', re.search(variable + r" = \{([^}]*)\}", capability)[1]))

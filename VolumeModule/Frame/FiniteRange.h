@@ -4,6 +4,8 @@
 #include "Core/Look/ValueRange.h"
 #include "Frame/VoxelInput.h"
 
+#include "VarimarchVolumeModule.h"
+
 namespace varimarch
 {
 
@@ -14,6 +16,11 @@ ValueRange FiniteRangeOf(const VoxelComponent& component);
 /// The range of nine tenths of the finite values of a component, without the lowest and the highest
 /// twentieth, by some thousand of its voxels; none if there are none.
 ValueRange UsualRangeOf(const VoxelComponent& component);
+
+/// The values that projections show as black and white: the range of the finite scalars, as in VTK.
+/// If they reach far beyond those that count in an average, it is the range of these.
+/// @param counted  the values that count
+VARIMARCHVOLUME_EXPORT ValueRange GrayRangeOf(const VoxelComponent& component, ValueRange counted);
 
 }
 

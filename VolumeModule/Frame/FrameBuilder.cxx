@@ -1,16 +1,17 @@
 #include "Frame/FrameBuilder.h"
 
 #include "Core/Look/OpticalTable.h"
-#include "Frame/ImageSettings.h"
+#include "Core/Recipe/MaterialRecipe.h"
+#include "Frame/Frame.h"
 #include "Frame/MapperInput.h"
 #include "Frame/MapperNumbers.h"
 #include "Frame/MaterialChoices.h"
 #include "Frame/NumberCheck.h"
 #include "Frame/OverlappingVolumes.h"
-#include "Frame/QualityChoices.h"
-#include "Frame/SurfaceChoices.h"
+#include "Frame/SceneFingerprint.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -23,13 +24,176 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace varimarch
 {
 
 namespace
 {
+
+Integration IntegrationOf(int integrationRule, const RenderSettings& settings)
+{
+  if (settings.fromBehind)
+  {
+    return Integration::Midpoint;
+  }
+  switch (integrationRule)
+  {
+    case vtkVariationFieldVolumeMapper::PreIntegrated:
+      return Integration::PreIntegrated;
+    case vtkVariationFieldVolumeMapper::Simpson:
+      return Integration::Simpson;
+    case vtkVariationFieldVolumeMapper::PublishedSum:
+      return Integration::PublishedSum;
+    case vtkVariationFieldVolumeMapper::FirstHit:
+      return Integration::FirstHit;
+  }
+  return Integration::Midpoint;
+}
+
+// Samples per voxel that keep a composite within half a grey level of a fine march, measured on a
+// head CT with a bone transfer function. Normals turn faster than values change. A maximum only has
+// to be passed closely.
+double AutomaticSamplesPerVoxel(const RenderSettings& settings)
+{
+  if (settings.blend != Blend::Composite)
+  {
+    return 2.0;
+  }
+  return MarchesMaterial(settings) ? 8.0 : 4.0;
+}
+
+// Only an image with a tolerance has a budget; if the user sets the sample distance, it has none.
+ErrorBudget BudgetOf(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, const Frame& frame)
+{
+  ErrorBudget budget;
+  budget.tolerance = mapper->GetAutoAdjustSampleDistances() ? numbers.errorTolerance : 0.0;
+  budget.windowScale = frame.image.windowScaleBias.x;
+  budget.isExtreme = IsExtreme(frame.settings.blend);
+  // Boxes are marched from face to face, but the light in them is sampled, or that of lattices.
+  budget.isSampled =
+    IsSampled(frame.settings) || IsInWayOfLights(frame.settings) || IsInWayOfSky(frame.settings);
+  budget.isOccluded = frame.settings.occlusion;
+  return budget;
+}
+
+// The sample distance that the user sets.
+double ChosenSampleDistanceMm(const MapperNumbers& numbers, const Frame& frame)
+{
+  return numbers.sampleDistanceInVoxels > 0.0
+    ? numbers.sampleDistanceInVoxels * frame.geometry.SmallestSpacingMm()
+    : numbers.sampleDistanceMm;
+}
+
+/// Refuses a published integration rule for a composite that it does not define, in whose place
+/// another rule would be drawn.
+/// @param settings  those of all volumes of a frame
+/// @throws std::runtime_error with a sentence for the user
+void CheckIntegrationRule(vtkVariationFieldVolumeMapper* mapper, const RenderSettings& settings)
+{
+  const bool isSum = mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::PublishedSum;
+  const bool isPublished =
+    isSum || mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::FirstHit;
+  const bool dependsOnMore =
+    MarchesMaterial(settings) || !IsSampled(settings) || settings.fromBehind;
+  if (isPublished && settings.blend == Blend::Composite && dependsOnMore)
+  {
+    throw std::runtime_error(std::string("The integration rule ") +
+      (isSum ? "PublishedSum" : "FirstHit") +
+      " is defined only for interpolated values of one component, front to back, without light, "
+      "gradient opacity and labels: switch these off, as by ShadeOff, or choose another rule");
+  }
+}
+
+/// Chooses the error budget, the sample distance and the integration rule of a frame whose other
+/// settings are complete.
+void ChooseQuality(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
+{
+  QualityRequest& quality = frame.quality;
+  quality.budget = BudgetOf(mapper, numbers, frame);
+  frame.settings.triesRays = quality.budget.StepTolerance() > 0.0;
+  quality.choosesIntegration =
+    mapper->GetIntegrationRule() == vtkVariationFieldVolumeMapper::Automatic &&
+    frame.settings.blend == Blend::Composite && IsSampled(frame.settings) &&
+    !frame.settings.fromBehind;
+  quality.variationTolerance = numbers.variationTolerance;
+  quality.earlyTerminationTransmittance =
+    quality.budget.EarlyTermination(numbers.earlyTerminationTransmittance);
+  quality.sampleDistanceMm = mapper->GetAutoAdjustSampleDistances()
+    ? frame.geometry.SmallestSpacingMm() / AutomaticSamplesPerVoxel(frame.settings)
+    : ChosenSampleDistanceMm(numbers, frame);
+  frame.settings.integration = IntegrationOf(mapper->GetIntegrationRule(), frame.settings);
+  if (quality.choosesIntegration && MarchesMaterial(frame.settings) &&
+    quality.budget.StepTolerance() == 0.0)
+  {
+    // No trial chooses these short steps, at which this rule has the smaller error.
+    frame.settings.integration = Integration::PreIntegrated;
+  }
+}
+
+/// Chooses the part of rays that is marched.
+// A number of steps has a meaning only if these are of known length.
+void ChooseSpan(vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
+{
+  frame.span.firstDistanceMm = numbers.firstDistanceMm;
+  frame.span.mostSteps =
+    mapper->GetAutoAdjustSampleDistances() ? 0 : mapper->GetMaximumNumberOfSteps();
+  frame.settings.limitsSpan = frame.span.firstDistanceMm > 0.0 || frame.span.mostSteps > 0;
+}
+
+// Maps colours from level - window / 2 to level + window / 2 to [0, 1]; a negative window inverts.
+glm::dvec2 WindowScaleBias(double window, double level)
+{
+  constexpr double Narrowest = 1e-6; // a narrower window would not contain two floats
+  const double width = std::copysign(std::max(std::abs(window), Narrowest), window);
+  return { 1.0 / width, 0.5 - level / width };
+}
+
+// An observer of the shader may set uniforms that are not part of the fingerprint, so nothing is
+// accumulated then.
+void ChooseAccumulation(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
+{
+  const bool shaderIsObserved = mapper->HasObserver(vtkCommand::UpdateShaderEvent) != 0;
+  const int most = mapper->GetMaximumAccumulatedPictures();
+  if (!shaderIsObserved && (most > 1 || numbers.longestPartSeconds > 0.0))
+  {
+    frame.accumulation = { most, numbers.longestPartSeconds, ImageFingerprint(mapper, frame) };
+  }
+}
+
+/// Takes the settings of the image from a mapper: window and level, the distance between rays and
+/// their jitter, the requested pass, accumulation, and the user's shader code. Requires the view.
+void ApplyImageSettings(
+  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, Frame& frame)
+{
+  frame.settings.windowLevel = numbers.window != 1.0 || numbers.level != 0.5;
+  frame.settings.jitter = mapper->GetUseJittering() != 0 && IsSampled(frame.settings);
+  frame.userCode = UserShaderCodeOf(frame.view.prop);
+  frame.pass = PassOfVolume(mapper, frame.view.renderer, frame.view.prop);
+  frame.settings.pass = frame.pass.kind;
+
+  const auto& [shortest, longest] = numbers.interactiveSampleDistances;
+  frame.image.windowScaleBias = WindowScaleBias(numbers.window, numbers.level);
+  frame.image.sampleDistance = numbers.imageSampleDistance;
+  frame.image.interactiveSampleDistances = { shortest, std::max(shortest, longest) };
+  frame.image.toImages = mapper->GetRenderToImage() != 0 && frame.pass.kind == RayPass::Whole;
+  frame.image.clampDepth = mapper->GetClampDepthToBackface() != 0;
+
+  frame.fingerprint = VolumeFingerprint(frame);
+  ChooseAccumulation(mapper, numbers, frame);
+  if (Peels(frame.pass.kind))
+  {
+    // The pass has its own framebuffer, and has the depth of opaque geometry.
+    frame.view.viewport = { 0, 0, frame.view.viewport.width, frame.view.viewport.height };
+    frame.settings.sceneGeometry = false;
+  }
+}
 
 bool HasOpaqueGeometry(vtkRenderer* renderer)
 {

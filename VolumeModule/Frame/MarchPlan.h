@@ -1,7 +1,9 @@
 #ifndef Varimarch_Frame_MarchPlan_h
 #define Varimarch_Frame_MarchPlan_h
 
+#include "Core/Geometry/Box.h"
 #include "Core/Quality/InteractiveQuality.h"
+#include "Core/Quality/StepSearch.h"
 #include "Frame/Frame.h"
 
 #include <glm/vec2.hpp>
@@ -117,6 +119,15 @@ VolumeMarch MarchOfOther(const Frame& frame, const MarchPlan& plan, std::size_t 
 
 /// The march of a coarser level.
 VolumeMarch MarchOfCoarser(const Frame& frame, const MarchPlan& plan, std::size_t level);
+
+/// Steps that several mappers share, each of which draws a part of a volume.
+struct CommonSteps
+{
+  StepChoice step;      ///< [mm]
+  bool isPreIntegrated; ///< True for pre-integration, false for midpoints, if a trial may choose.
+  LightSource light;    ///< The way to the light of the images.
+  Box wholeData;        ///< The box around all parts, in the coordinates of the data.
+};
 
 }
 

@@ -15,7 +15,8 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// The transfer function that a property's curves describe for a component, as CurveNodes.h says.
+/// The transfer function that a property's curves describe for a component: the values that VTK's
+/// GetValue() and GetColor() return, limited to [0, 1].
 VARIMARCHVOLUME_EXPORT TransferFunction TransferFunctionOf(
   vtkVolumeProperty* property, int component = 0);
 
@@ -36,6 +37,14 @@ std::string MissingFunctionFeatures(vtkVolumeProperty* property, int components)
 
 /// Everything that the transfer function of a component is made from.
 Fingerprint TransferFunctionInputs(vtkVolumeProperty* property, int component);
+
+/// The transfer function of an independent component. A property that has none for a component
+/// answers with VTK's default, which is opaque for all values, so that the volume would be a box.
+/// Such a component has the opacities of the first one, and its colours if it has none either.
+TransferFunction FunctionOfComponent(vtkVolumeProperty* property, int component);
+
+/// True if the opacities of a component are its own.
+bool HasOpacities(vtkVolumeProperty* property, int component);
 
 }
 

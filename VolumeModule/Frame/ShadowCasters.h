@@ -10,6 +10,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -56,6 +57,28 @@ struct ShadowCasters
 
 ShadowCasters ShadowCastersOf(
   vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+/// The place of a triangle in the data.
+struct SurfaceTriangle
+{
+  std::size_t surface;             ///< Its index in ShadowCasters::surfaces.
+  std::array<vtkIdType, 3> points; ///< A triangle of the data that contains it.
+};
+
+/// The triangles of a surface, without the parts that planes take.
+struct CasterTriangles
+{
+  std::vector<Triangle> corners;        ///< Relative to the origin of the casters [mm].
+  std::vector<SurfaceTriangle> sources; ///< One for each triangle.
+};
+
+/// @param surface  its index in ShadowCasters::surfaces
+CasterTriangles TrianglesOf(const ShadowCasters& casters, std::size_t surface);
+
+/// Keeps a renderer from culling volumes out of the view whose shadows may fall on opaque geometry,
+/// from the next image on: VTK does not draw a prop that is culled, nor does it tell anybody. Adds
+/// a vtkCuller to the renderer, unless it has no culler or this one already.
+void KeepShadowsOutOfView(vtkRenderer* renderer);
 
 }
 

@@ -7,8 +7,12 @@
 #include <string>
 #include <vector>
 
+class vtkVariationFieldVolumeMapper;
+
 namespace varimarch
 {
+
+class RayMarcher;
 
 /// A shortcoming of an image.
 struct AccuracyNote
@@ -27,6 +31,9 @@ struct AccuracyNote
 /// @param resources  those of the frame, up to date
 std::vector<AccuracyNote> AccuracyNotesOf(
   const Frame& frame, const MarchPlan& plan, SceneResources& resources);
+
+/// Sentences about the accuracy that the last frame lacks; empty if it lacks none.
+std::string AccuracyWarnings(vtkVariationFieldVolumeMapper* mapper, const RayMarcher& marcher);
 
 }
 

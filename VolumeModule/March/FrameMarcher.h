@@ -4,12 +4,21 @@
 #include "Frame/MarchPlan.h"
 
 #include <cstddef>
+#include <exception>
 #include <vector>
 
 class vtkWindow;
 
 namespace varimarch
 {
+
+/// The end of a drawing that an observer of the window's vtkCommand::AbortCheckEvent has stopped,
+/// which is no error: the image is not wanted any more.
+class DrawingStopped : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "The drawing was stopped"; }
+};
 
 /// Interface for marching the rays of a frame, once its resources are updated. The implementations
 /// are shaders on the graphics device, and packets of rays on the processor.

@@ -3,7 +3,7 @@
 #include "Core/Geometry/PixelRays.h"
 #include "Core/Geometry/ProjectedBox.h"
 #include "Frame/FrameMeasures.h"
-#include "March/Processor/SoftwareRasterizer.h"
+#include "March/Device/GraphicsDriver.h"
 #include "March/SkyParameters.h"
 #include "Resources/BlueNoiseTexture.h"
 

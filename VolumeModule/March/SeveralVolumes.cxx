@@ -2,13 +2,15 @@
 
 #include "Frame/FrameBuilder.h"
 #include "Frame/RendererVolumes.h"
+#include "Frame/VolumeGeometry.h"
 #include "Frame/VoxelsOnDisk.h"
-#include "March/Device/OpaqueFramebuffer.h"
 #include "March/LevelOfDetail.h"
 #include "March/MapperInternals.h"
+#include "VtkVersions.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
@@ -21,6 +23,41 @@
 
 namespace
 {
+
+/// A scope in which the framebuffer with the colours and depths of opaque geometry is bound, in the
+/// middle of a pass that peels depths into a framebuffer of its own. VTK keeps the other one on the
+/// stack of its state until it blends the layers over it.
+class OpaqueFramebuffer
+{
+public:
+  explicit OpaqueFramebuffer(vtkRenderer* renderer)
+    : state(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow())->GetState())
+    , viewport(state)
+  {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &this->layers);
+    glGetIntegerv(GL_BLEND_EQUATION_RGB, &this->blendEquation);
+    this->state->PopDrawFramebufferBinding();
+    this->state->vtkglBlendEquation(GL_FUNC_ADD);
+    const varimarch::Viewport pixels = varimarch::ViewportOf(renderer);
+    this->state->vtkglViewport(pixels.left, pixels.bottom, pixels.width, pixels.height);
+  }
+
+  ~OpaqueFramebuffer()
+  {
+    this->state->vtkglBlendEquation(GLenum(this->blendEquation));
+    this->state->PushDrawFramebufferBinding();
+    this->state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(this->layers));
+  }
+
+  OpaqueFramebuffer(const OpaqueFramebuffer&) = delete;
+  void operator=(const OpaqueFramebuffer&) = delete;
+
+private:
+  vtkOpenGLState* state;
+  vtkOpenGLState::ScopedglViewport viewport;
+  GLint layers = 0; ///< The framebuffer of the layers.
+  GLint blendEquation = 0;
+};
 
 bool Casts(const varimarch::Frame& frame)
 {
@@ -126,7 +163,7 @@ void vtkVariationFieldVolumeMapper::Internals::CastBeforeFirst(
     vtkVariationFieldVolumeMapper* const other = varimarch::DrawingMapper(volume);
     other->Private->Cast = other == mapper ? DrawnAhead{} : DrawnAhead{ renderer, time };
   }
-  std::optional<varimarch::OpaqueFramebuffer> opaque;
+  std::optional<OpaqueFramebuffer> opaque;
   if (isBetweenLayers)
   {
     opaque.emplace(renderer);

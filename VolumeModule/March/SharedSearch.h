@@ -1,7 +1,7 @@
 #ifndef Varimarch_March_SharedSearch_h
 #define Varimarch_March_SharedSearch_h
 
-#include "March/CommonSteps.h"
+#include "Frame/MarchPlan.h"
 #include "VarimarchVolumeModule.h" // for the export macro
 
 #include <functional>

@@ -3,7 +3,7 @@
 #include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/FrameMeasures.h"
-#include "March/Processor/SoftwareRasterizer.h"
+#include "March/Device/GraphicsDriver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 
 #include "Core/Quality/StepSearch.h"
 #include "March/SearchFacts.h"
-#include "March/ToleranceInputs.h"
 #include "March/TrialImages.h"
 
 #include <list>
@@ -12,20 +11,6 @@
 
 namespace varimarch
 {
-
-/// The integration rule and the steps that keep an error tolerance.
-struct ToleranceChoice
-{
-  ToleranceInputs inputs; ///< The inputs of the image whose rays have tried it.
-  Integration integration;
-  StepChoice step;
-  double missedOfLimit = 0.0; ///< The error that no sample distance shows, in parts of the limit.
-  LightSource light = {};     ///< The way to the light of the image.
-  double searchedMm = 0.0;    ///< The sample distance of the search that found it.
-  std::vector<CornersClip> searchedView; ///< The view of that search.
-  ToleranceLights searchedLights;        ///< The lights of that search.
-  bool isOfOther = false; ///< True if that search was for another image, and fewer rays tried it.
-};
 
 /// Finds the steps that keep a frame's error tolerance by drawing trial images with some of its
 /// rays, and reuses them as long as they are valid: Documentation/Decisions/0008. It remembers the

@@ -1,7 +1,6 @@
 #include "Resources/MaterialTables.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/ComponentFunctions.h"
 #include "Frame/PropertyTransferFunction.h"
 
 #include "vtkColorTransferFunction.h"

@@ -2,18 +2,49 @@
 #define Varimarch_Resources_SceneResources_h
 
 #include "Core/Geometry/Box.h"
+#include "Core/Geometry/TriangleTree.h"
+#include "Core/Parameters/MarchTextures.h"
+#include "Frame/Frame.h"
 #include "Frame/MarchPlan.h"
+#include "Frame/ShadowCasters.h"
 #include "Resources/BlueNoiseTexture.h"
-#include "Resources/CasterResources.h"
+#include "Resources/FloatTable.h"
 #include "Resources/SceneDepthTexture.h"
 #include "Resources/VolumeResources.h"
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace varimarch
 {
+
+/// The opaque geometry that casts shadows on a volume, as a TriangleTree. The tree is made again
+/// when the data of the geometry change. Where only matrices do, the triangles of these surfaces
+/// are moved in it.
+class CasterResources
+{
+public:
+  /// @throws std::runtime_error if the device cannot hold so many triangles
+  void Update(const Frame& frame, Marcher marcher);
+
+  /// The tree; null without geometry.
+  MarchTexture Tree() const;
+  /// The places of its triangles in the data.
+  const std::vector<SurfaceTriangle>& Sources() const { return this->sources; }
+  std::size_t Bytes() const { return this->texture.Bytes(); } ///< Its graphics memory.
+  void Release(vtkWindow* window);
+
+private:
+  bool Move(const ShadowCasters& casters);
+  void Make(const ShadowCasters& casters);
+
+  ShadowCasters made; ///< The geometry in the tree; its data may be gone.
+  std::optional<TriangleTree> tree;
+  FloatBufferTexture texture; ///< The tree for the device.
+  std::vector<SurfaceTriangle> sources;
+};
 
 /// Everything that the march of a frame reads: the resources of its volumes, the depth of opaque
 /// geometry, and the noise of jitter.

@@ -2,7 +2,7 @@
 
 #include "Core/Look/HeadLightShading.h"
 #include "Core/Reference/ReferenceImage.h"
-#include "Frame/GrayRange.h"
+#include "Frame/FiniteRange.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Scene/Images/FloatCapture.h"
 #include "Scene/Model/Scene.h"

@@ -1,6 +1,6 @@
 #include "Viewer/View/VolumeView.h"
 
-#include "March/Device/GraphicsReset.h"
+#include "March/Device/GraphicsDriver.h"
 #include "Scene/Model/Scene.h"
 #include "Scene/Model/SceneCamera.h"
 #include "Scene/Model/SceneCuts.h"

@@ -4,17 +4,41 @@
 #include "Core/Geometry/Box.h"
 #include "Core/Geometry/Viewport.h"
 #include "Frame/MarchPlan.h"
-#include "March/Device/BoxGeometry.h"
 #include "March/Device/RayMarchProgram.h"
 #include "Resources/SceneResources.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLVertexArrayObject.h"
 
 #include <glm/vec3.hpp>
 
 #include <string>
 #include <vector>
 
+class vtkShaderProgram;
+
 namespace varimarch
 {
+
+/// The volume's box as triangles in grid space. Its inner faces cover each pixel whose ray meets
+/// the volume exactly once, wherever the camera is.
+class VolumeBoxGeometry
+{
+public:
+  /// Draws the box with a program that takes positions as vertexGrid.
+  void Draw(vtkShaderProgram* program, const Box& boxGrid);
+  void Release();
+
+private:
+  // The handle of the program that has the attributes. A program gets another one when a window
+  // that shares it is closed.
+  int attributesOf = 0;
+  Box uploaded = { glm::dvec3(0.0), glm::dvec3(0.0) };
+  vtkNew<vtkOpenGLBufferObject> vertices;
+  vtkNew<vtkOpenGLBufferObject> triangles;
+  vtkNew<vtkOpenGLVertexArrayObject> attributes;
+};
 
 /// The part of a volume that a drawing covers.
 struct DrawnBlock

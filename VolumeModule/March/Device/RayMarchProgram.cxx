@@ -5,8 +5,8 @@
 #include "Core/Recipe/PassRecipe.h"
 #include "Core/Recipe/ShaderAssembly.h"
 #include "Core/Recipe/ShaderRecipe.h"
+#include "March/Device/GraphicsDriver.h"
 #include "March/Device/ShaderFiles.h"
-#include "March/Processor/SoftwareRasterizer.h"
 #include "VtkVersions.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -28,6 +28,25 @@
 
 namespace varimarch
 {
+
+void UniformBuffer::Upload(unsigned int bindingPoint, const void* bytes, std::size_t count)
+{
+  if (this->handle == 0)
+  {
+    glGenBuffers(1, &this->handle);
+  }
+  glBindBufferBase(GL_UNIFORM_BUFFER, bindingPoint, this->handle);
+  glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(count), bytes, GL_STREAM_DRAW);
+}
+
+void UniformBuffer::Release()
+{
+  if (this->handle != 0)
+  {
+    glDeleteBuffers(1, &this->handle);
+    this->handle = 0;
+  }
+}
 
 namespace
 {

@@ -6,7 +6,6 @@
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/MarchPlan.h"
 #include "Frame/UserShaderCode.h"
-#include "March/Device/UniformBuffer.h"
 
 #include <cstddef>
 #include <map>
@@ -19,6 +18,26 @@ class vtkTextureObject;
 
 namespace varimarch
 {
+
+/// The buffer of a uniform block on the graphics device.
+class UniformBuffer
+{
+public:
+  /// Uploads a struct with the memory layout of the block, and binds it.
+  template <class Parameters>
+  void Upload(unsigned int bindingPoint, const Parameters& parameters)
+  {
+    this->Upload(bindingPoint, &parameters, sizeof parameters);
+  }
+
+  /// Releases the buffer. Its OpenGL context must be current.
+  void Release();
+
+private:
+  void Upload(unsigned int bindingPoint, const void* bytes, std::size_t count);
+
+  unsigned int handle = 0; ///< OpenGL's name of the buffer; 0 if there is none.
+};
 
 /// The shader program of a recipe, and the parameters and textures that it reads. VTK's shader
 /// cache keeps programs by their text, so each is compiled once per recipe and window.

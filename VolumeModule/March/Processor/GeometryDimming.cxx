@@ -3,37 +3,232 @@
 #include "Core/Packets/PacketMarch.h"
 #include "Core/Quality/StepSearch.h"
 #include "Core/Quality/TrialRays.h"
+#include "Frame/Frame.h"
 #include "Frame/FrameMeasures.h"
-#include "March/Processor/FactorsBetween.h"
-#include "March/Processor/GeometryLight.h"
+#include "Frame/Lights.h"
 #include "March/Processor/GeometryReceivers.h"
-#include "March/Processor/PacketScenes.h"
+#include "March/Processor/PacketSceneBuilder.h"
 #include "March/SearchFacts.h"
+#include "VtkVersions.h"
 
 #include "vtkCamera.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkType.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace varimarch
 {
 
+std::vector<glm::vec4> TranslucentColors::Draw(
+  const FrameView& view, const SceneDepthTexture& depth)
+{
+  const glm::ivec2 pixels = depth.SizePixels();
+  vtkOpenGLState* const state = view.window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglClearColor clearColor(state);
+  std::vector<glm::vec4> colors(std::size_t(pixels.x) * std::size_t(pixels.y));
+  state->PushFramebufferBindings();
+  this->Bind(view.window, depth);
+  state->vtkglViewport(0, 0, pixels.x, pixels.y);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  view.renderer->DeviceRenderTranslucentPolygonalGeometry(this->framebuffer);
+  this->framebuffer->ActivateReadBuffer(0);
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, pixels.x, pixels.y, GL_RGBA, GL_FLOAT, &colors.front().x);
+  state->PopFramebufferBindings();
+  return colors;
+}
+
+void TranslucentColors::Bind(vtkOpenGLRenderWindow* window, const SceneDepthTexture& depth)
+{
+  const glm::ivec2 pixels = depth.SizePixels();
+  this->framebuffer->SetContext(window);
+  this->color->SetContext(window);
+  if (!this->color->GetHandle() || int(this->color->GetWidth()) != pixels.x ||
+    int(this->color->GetHeight()) != pixels.y)
+  {
+    this->color->Allocate2D(unsigned(pixels.x), unsigned(pixels.y), 4, VTK_FLOAT);
+  }
+  this->framebuffer->Bind();
+  this->framebuffer->AddColorAttachment(0, this->color);
+  this->framebuffer->AddDepthAttachment(depth.Texture().onDevice);
+  this->framebuffer->Resize(pixels.x, pixels.y); // VTK's passes ask for the size
+  this->framebuffer->ActivateDrawBuffer(0);
+}
+
+std::size_t TranslucentColors::Bytes() const
+{
+  const std::size_t pixels = std::size_t(this->color->GetWidth()) * this->color->GetHeight();
+  return this->color->GetHandle() ? 4 * sizeof(float) * pixels : 0;
+}
+
+void TranslucentColors::Release(vtkWindow* window)
+{
+  this->framebuffer->ReleaseGraphicsResources(window);
+  this->color->ReleaseGraphicsResources(window);
+}
+
 namespace
 {
+
+/// The light of opaque geometry as VTK's mapper of polygons draws it: ambient light, and diffuse
+/// and specular light of each lamp by the model of Phong, both with the lamp's diffuse colour. It
+/// tells what of the drawn colours stays where a volume takes a part of the lamps. Surfaces without
+/// lighting, and those by physically based rendering, keep all of it. If the data or a block have
+/// the colours, these count as white, which is exact without specular light. A texture multiplies
+/// all light alike.
+class GeometryLight
+{
+public:
+  explicit GeometryLight(const Frame& frame);
+
+  /// The factors of red, green and blue.
+  /// @param parts  of each lamp that a volume may take light from, in the order of LightTexels
+  template <class Parts>
+  glm::dvec3 FactorsAt(const GeometryReceiver& receiver, const Parts& parts) const
+  {
+    const Look look = this->LookOf(receiver.surface);
+    glm::dvec3 whole = look.ambient + this->HeadLightOn(receiver, look);
+    glm::dvec3 left = whole;
+    for (int lamp = 0; lamp < this->lights.Count(); ++lamp)
+    {
+      const glm::dvec3 own = this->LampOn(lamp, receiver, look);
+      whole += own;
+      left += parts(lamp) * own;
+    }
+    return Ratio(left, whole);
+  }
+
+private:
+  /// The colours of a surface times its coefficients.
+  struct Look
+  {
+    glm::dvec3 ambient;
+    glm::dvec3 diffuse;
+    glm::dvec3 specular;
+    double power;
+  };
+
+  static glm::dvec3 Ratio(glm::dvec3 left, glm::dvec3 whole);
+  Look LookOf(std::size_t surface) const;
+  glm::dvec3 HeadLightOn(const GeometryReceiver& receiver, const Look& look) const;
+  glm::dvec3 LampOn(int lamp, const GeometryReceiver& receiver, const Look& look) const;
+
+  const Frame& frame;
+  const LightTexels& lights;
+  const HeadLightColors& head;
+  glm::dvec3 towardsHeadWorld; ///< against the direction of the camera
+};
+
+/// The diffuse and the specular part of a lamp that a surface sends to the eye.
+struct Sent
+{
+  double diffuse;
+  double specular;
+};
+
+Sent SentBy(const GeometryReceiver& receiver, glm::dvec3 toLight, double power)
+{
+  const double facing = glm::dot(receiver.normalWorld, toLight);
+  if (!(facing > 0.0))
+  {
+    return { 0.0, 0.0 };
+  }
+  const glm::dvec3 mirrored = 2.0 * facing * receiver.normalWorld - toLight;
+  return { facing,
+    std::pow(std::max(glm::dot(mirrored, receiver.toEyeWorld), 0.0), std::max(power, 0.0)) };
+}
+
+// The part of a lamp's strength that is left at a distance, and inside its cone.
+double StrengthOf(const glm::vec4* lamp, glm::dvec3 toLight, double distanceMm)
+{
+  const glm::dvec3 attenuation(lamp[3]);
+  const double strength =
+    1.0 / (attenuation.x + distanceMm * (attenuation.y + distanceMm * attenuation.z));
+  const double alongAxis = -glm::dot(toLight, glm::dvec3(lamp[4]));
+  return alongAxis < double(lamp[1].w)
+    ? 0.0
+    : strength * std::pow(std::max(alongAxis, 0.0), double(lamp[2].w));
+}
+
+GeometryLight::GeometryLight(const Frame& frame)
+  : frame(frame)
+  , lights(frame.lights.lamps)
+  , head(frame.lights.head)
+  , towardsHeadWorld(
+      -glm::make_vec3(frame.view.renderer->GetActiveCamera()->GetDirectionOfProjection()))
+{
+}
+
+glm::dvec3 GeometryLight::Ratio(glm::dvec3 left, glm::dvec3 whole)
+{
+  const auto part = [](double a, double b) { return b > 0.0 ? std::clamp(a / b, 0.0, 1.0) : 1.0; };
+  return { part(left.x, whole.x), part(left.y, whole.y), part(left.z, whole.z) };
+}
+
+GeometryLight::Look GeometryLight::LookOf(std::size_t surface) const
+{
+  const CastingSurface& drawn = this->frame.casters.surfaces[surface];
+  vtkProperty* const property = drawn.property;
+  if (!property->GetLighting() || property->GetInterpolation() == VTK_PBR)
+  {
+    return { glm::dvec3(1.0), glm::dvec3(0.0), glm::dvec3(0.0), 1.0 };
+  }
+  const auto colorOf = [&](const double* color)
+  { return drawn.hasColors ? glm::dvec3(1.0) : glm::dvec3(glm::make_vec3(color)); };
+  return { property->GetAmbient() * colorOf(property->GetAmbientColor()),
+    property->GetDiffuse() * colorOf(property->GetDiffuseColor()),
+    property->GetSpecular() * glm::make_vec3(property->GetSpecularColor()),
+    property->GetSpecularPower() };
+}
+
+glm::dvec3 GeometryLight::HeadLightOn(const GeometryReceiver& receiver, const Look& look) const
+{
+  const Sent sent = SentBy(receiver, this->towardsHeadWorld, look.power);
+  return (sent.diffuse * look.diffuse + sent.specular * look.specular) * this->head.diffuse;
+}
+
+glm::dvec3 GeometryLight::LampOn(int lamp, const GeometryReceiver& receiver, const Look& look) const
+{
+  const glm::vec4* const texels = &this->lights.texels[std::size_t(lamp) * LightTexels::PerLight];
+  const bool isDistant = lamp < this->lights.distantCount;
+  const glm::dvec3 way =
+    isDistant ? glm::dvec3(texels[0]) : glm::dvec3(texels[0]) - receiver.placeWorld;
+  const double distanceMm = glm::length(way);
+  if (!(distanceMm > 0.0))
+  {
+    return glm::dvec3(0.0);
+  }
+  const glm::dvec3 toLight = way / distanceMm;
+  const double strength = isDistant ? 1.0 : StrengthOf(texels, toLight, distanceMm);
+  const Sent sent = SentBy(receiver, toLight, look.power);
+  return strength * (sent.diffuse * look.diffuse + sent.specular * look.specular) *
+    glm::dvec3(texels[1]);
+}
 
 constexpr std::size_t LightsAtOnce = 4; ///< as many as a pixel has numbers
 
 // The longest step of light on geometry, in voxels.
-constexpr double CoarsestVoxels = 4.0;
+constexpr double CoarsestLightVoxels = 4.0;
 
 // The places of all squares of pixels [grid space], with 1 as fourth number, or 0 where no receiver
 // is.
@@ -268,7 +463,7 @@ MarchPlan GeometryDimming::WithSteps(
   };
   const double voxelMm = SmallestSpacingMm(frame);
   const FoundSteps found = FindSampleDistance(drawAt, plan.budget.StepLimit(),
-    { CoarsestVoxels * voxelMm, FinestStepVoxels * voxelMm }, voxelMm);
+    { CoarsestLightVoxels * voxelMm, FinestStepVoxels * voxelMm }, voxelMm);
   this->foundStep = found.choice;
   stepped.sampleDistanceMm = found.choice.sampleDistance;
   return stepped;

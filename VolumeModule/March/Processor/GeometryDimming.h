@@ -3,11 +3,16 @@
 
 #include "Core/Packets/PacketScene.h"
 #include "Core/Quality/StepSearch.h"
+#include "Frame/Frame.h"
 #include "March/Device/BoxDrawing.h"
 #include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketPicture.h"
-#include "March/Processor/TranslucentColors.h"
 #include "Resources/FloatFramebuffer.h"
+#include "Resources/SceneDepthTexture.h"
+
+#include "vtkNew.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkTextureObject.h"
 
 #include <glm/vec4.hpp>
 
@@ -18,6 +23,28 @@
 
 namespace varimarch
 {
+
+/// The light that translucent geometry adds to the colours behind it. VTK blends translucent
+/// geometry over opaque geometry before it draws volumes, and blending is linear in the colour
+/// behind: if opaque geometry keeps a factor f of its light, then a colour F in the framebuffer, to
+/// which translucent geometry has added C, becomes f F + (1 - f) C.
+class TranslucentColors
+{
+public:
+  /// Draws the translucent geometry of a renderer again, over black, behind the same opaque depths.
+  /// It draws no volumes.
+  /// @returns C for each pixel of the depths, row by row from below
+  std::vector<glm::vec4> Draw(const FrameView& view, const SceneDepthTexture& depth);
+
+  std::size_t Bytes() const;
+  void Release(vtkWindow* window);
+
+private:
+  void Bind(vtkOpenGLRenderWindow* window, const SceneDepthTexture& depth);
+
+  vtkNew<vtkTextureObject> color;
+  vtkNew<vtkOpenGLFramebufferObject> framebuffer;
+};
 
 /// The opaque geometry that pixels show, and what volumes leave of the lamps' light on it.
 struct ReceivedLight

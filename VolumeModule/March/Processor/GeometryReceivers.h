@@ -3,14 +3,19 @@
 
 #include "Core/Geometry/Viewport.h"
 #include "Frame/Frame.h"
+#include "Resources/SceneDepthTexture.h"
 #include "Resources/SceneResources.h"
 
 #include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstddef>
 #include <vector>
+
+class vtkRenderer;
 
 namespace varimarch
 {
@@ -51,6 +56,45 @@ struct GeometryReceiver
 /// @param grid  the squares of the viewport of the depths
 std::vector<GeometryReceiver> GeometryReceiversOf(
   const Frame& frame, SceneResources& resources, const ReceiverGrid& grid);
+
+/// The places that pixels of a renderer show, by the depths of a framebuffer that were read into
+/// memory.
+class PixelPlaces
+{
+public:
+  /// @param originWorld  the place that others are relative to
+  PixelPlaces(vtkRenderer* renderer, const SceneDepthTexture& depth, const Viewport& viewport,
+    const glm::dvec3& originWorld);
+
+  /// The depth that a pixel shows, 1 where nothing was drawn.
+  double DepthAt(const glm::ivec2& pixel) const;
+
+  /// The place at a depth, in the world and relative to the origin.
+  glm::dvec3 PlaceAt(const glm::dvec2& pixel, double depth) const;
+
+  /// The distance of neighbouring pixels at a depth [mm].
+  double PixelMm(const glm::ivec2& pixel, double depth) const;
+
+  /// How far a depth may be from the surface along the ray: by the bits of the depth buffer, and by
+  /// the slope of the surface within a pixel, whose depth may be that of a place off its centre.
+  double UncertaintyMm(const glm::ivec2& pixel, double depth) const;
+
+private:
+  const float* depths;
+  glm::ivec2 depthPixels;
+  Viewport viewport;
+  glm::dmat4 placeFromClip;
+};
+
+/// The factors of all pixels of a viewport from those of squares of pixels: each pixel takes the
+/// mean of the four squares around it, by their distances in the image and by how near it is to the
+/// plane of their geometry. Factors are 1 where none of the four shows geometry near that of the
+/// pixel: small things between the middle pixels of squares keep all their light.
+/// @param places       of the viewport's pixels, relative to originWorld
+/// @param factors      of the squares
+std::vector<glm::vec4> FactorsBetween(const ReceiverGrid& grid,
+  const std::vector<GeometryReceiver>& receivers, const std::vector<glm::vec4>& factors,
+  const PixelPlaces& places, const glm::dvec3& originWorld);
 
 }
 

@@ -11,6 +11,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -227,6 +228,168 @@ SceneOfVolume::SceneOfVolume(const VolumeMarch& march, VolumeResources& volume,
       volume.Fields().OfBricks().VisibleDepthsIn(clipFromGrid, this->scene.rays.rayDirectionGrid[0],
         { march.plan.viewport.width, march.plan.viewport.height }, pixels);
   }
+}
+
+namespace
+{
+
+// Moves the depths of visible parts from the rays to the volume: rays through several volumes are
+// not bounded by the visible parts of one.
+void TakeDepths(PacketScene& scene)
+{
+  scene.constituent.visible = scene.depths;
+  scene.depths = {};
+}
+
+PacketSurroundings SurroundingsOfOther(const Frame& frame, const VolumeResources& volume)
+{
+  PacketSurroundings around = {};
+  around.drawnBox = frame.geometry.boxGrid;
+  around.textures.clippingPlanes = volume.ClippingPlanes();
+  return around;
+}
+
+}
+
+PacketScenes::PacketScenes(const VolumeMarch& march, SceneResources& resources,
+  PacketSurroundings around, const Viewport& pixels)
+  : first(march, resources.First(), std::move(around), pixels)
+{
+  if (IsMixture(march.frame))
+  {
+    this->Mix(march, resources, pixels);
+  }
+  else if (march.frame.blockLevels)
+  {
+    this->AddCoarser(march, resources, pixels);
+  }
+}
+
+// Rays are bounded by the parts of the voxels that are visible, not by those of the levels.
+void PacketScenes::AddCoarser(
+  const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
+{
+  this->levels = { &this->first.scene };
+  for (std::size_t i = 0; i < march.frame.coarser.size(); ++i)
+  {
+    const VolumeMarch level = MarchOfCoarser(march.frame, march.plan, i);
+    VolumeResources& volume = resources.Coarser(i);
+    PacketSurroundings around = SurroundingsOfOther(level.frame, volume);
+    around.textures.noiseTexture = this->first.around.textures.noiseTexture;
+    around.textures.casterTree = this->first.around.textures.casterTree;
+    PacketScene& scene = this->coarser.emplace_back(level, volume, std::move(around), pixels).scene;
+    scene.depths = {};
+    scene.parameters.ownGridFromRays = GridFromGrid(level.frame.geometry, march.frame.geometry);
+    scene.levels.voxelGridFromOwn = GridFromGrid(march.frame.geometry, level.frame.geometry);
+    this->levels.push_back(&scene);
+  }
+  const BlockLevels& blocks = *march.frame.blockLevels;
+  const PacketLevels all = { this->levels.data(), int(this->levels.size()), glm::mat4(1.0f),
+    blocks.ofBlocks.data(), blocks.count, float(blocks.side) };
+  this->first.scene.levels = all;
+  for (SceneOfVolume& level : this->coarser)
+  {
+    const glm::mat4 voxelGridFromOwn = level.scene.levels.voxelGridFromOwn;
+    level.scene.levels = all;
+    level.scene.levels.voxelGridFromOwn = voxelGridFromOwn;
+  }
+}
+
+void PacketScenes::Mix(const VolumeMarch& march, SceneResources& resources, const Viewport& pixels)
+{
+  const Frame& frame = march.frame;
+  std::vector<PacketScene> own = ConstituentsOf(march, resources.First(), this->first.scene);
+  for (PacketScene& scene : own)
+  {
+    if (!frame.others.empty())
+    {
+      TakeDepths(scene);
+    }
+  }
+  for (std::size_t i = 0; i < frame.others.size(); ++i)
+  {
+    const VolumeMarch other = MarchOfOther(frame, march.plan, i);
+    VolumeResources& volume = resources.Other(i);
+    this->others.emplace_back(other, volume, SurroundingsOfOther(other.frame, volume), pixels);
+    for (PacketScene& scene : ConstituentsOf(other, volume, this->others.back().scene))
+    {
+      scene.parameters.ownGridFromRays = GridFromGrid(other.frame.geometry, frame.geometry);
+      TakeDepths(scene);
+      this->mixed.push_back(scene);
+    }
+  }
+  this->mixed.insert(this->mixed.end(), own.begin() + 1, own.end());
+  const auto castsShadows = [](const PacketScene& scene) { return scene.light.castsShadows; };
+  const bool isInShadow = std::any_of(this->mixed.begin(), this->mixed.end(), castsShadows);
+  this->first.scene = own.front();
+  this->first.scene.light.castsShadows |= isInShadow;
+  this->first.scene.constituent.others = this->mixed.data();
+  this->first.scene.constituent.otherCount = int(this->mixed.size());
+}
+
+namespace
+{
+
+// The colours of dependent components. The last component has the opacity.
+PacketColors ColorsOf(
+  const VolumeMarch& march, const VolumeResources& volume, const VolumeParameters& parameters)
+{
+  PacketColors colors = {};
+  if (march.settings.components == Components::LuminanceOpacity)
+  {
+    colors.count = 1;
+    colors.look = LookOf(march, volume, parameters, 0, 0);
+  }
+  else if (march.settings.components == Components::Rgba)
+  {
+    colors.count = 3;
+  }
+  for (int component = 0; component < colors.count; ++component)
+  {
+    colors.voxels[component] = volume.Packets().Voxels(component)->GetVoidPointer(0);
+  }
+  return colors;
+}
+
+// The index of the table that has a part's opacities.
+std::size_t OpacityTableOf(const VolumeResources& volume, int component)
+{
+  const std::vector<MaterialTable>& tables = volume.Materials().MaterialTables();
+  const auto decides = [&](const MaterialTable& table)
+  { return table.decidesOnOpacity && table.component == component; };
+  return std::size_t(std::find_if(tables.begin(), tables.end(), decides) - tables.begin());
+}
+
+}
+
+bool IsMixture(const Frame& frame)
+{
+  return !frame.others.empty() || frame.settings.uneven ||
+    frame.settings.components != Components::One;
+}
+
+std::vector<PacketScene> ConstituentsOf(
+  const VolumeMarch& march, const VolumeResources& volume, const PacketScene& scene)
+{
+  std::vector<PacketScene> constituents;
+  for (int part = 0; part < PartCount(march.settings); ++part)
+  {
+    const int component = OpacityComponentOf(march.settings, part);
+    PacketScene one = scene;
+    one.volume.voxels = volume.Packets().Voxels(component)->GetVoidPointer(0);
+    if (march.settings.functionOf == FunctionOf::Value)
+    {
+      one.look =
+        LookOf(march, volume, scene.parameters, OpacityTableOf(volume, component), component);
+    }
+    one.colors = ColorsOf(march, volume, scene.parameters);
+    one.shadows = volume.Light().Shadows(march, part);
+    one.constituent.isOfMixture = true;
+    one.constituent.component = part;
+    one.constituent.isOfSameBricks = part > 0;
+    constituents.push_back(one);
+  }
+  return constituents;
 }
 
 }

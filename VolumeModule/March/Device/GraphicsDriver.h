@@ -1,7 +1,11 @@
-#ifndef Varimarch_March_Device_FilterPrecision_h
-#define Varimarch_March_Device_FilterPrecision_h
+#ifndef Varimarch_March_Device_GraphicsDriver_h
+#define Varimarch_March_Device_GraphicsDriver_h
 
 #include "VarimarchVolumeModule.h"
+
+#include "vtkCommand.h"
+
+#include <stdexcept>
 
 class vtkOpenGLRenderWindow;
 
@@ -28,6 +32,28 @@ VARIMARCHVOLUME_EXPORT double LargestNarrowDifference(vtkOpenGLRenderWindow* win
 /// The largest difference between voxels filtered by the device and with exact weights, as a
 /// fraction of the largest texel. Draws each time.
 VARIMARCHVOLUME_EXPORT double LargestWeightDifference(vtkOpenGLRenderWindow* window);
+
+/// The event of a mapper whose frame is lost because the graphics card was reset. Its graphics
+/// resources and the window's context are lost too: only a new context draws again.
+constexpr unsigned long GraphicsResetEvent = vtkCommand::UserEvent + 1;
+
+/// The reason why a frame is lost, in one sentence.
+class GraphicsReset : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Checks the current context, as far as the driver can tell. A driver tells each reset once.
+/// @throws GraphicsReset if the graphics card was reset, so that what was drawn is lost
+void CheckForGraphicsReset();
+
+/// True if the current OpenGL context is drawn by the processor, with llvmpipe.
+bool IsSoftwareRasterizer();
+
+/// A software rasteriser ends a shader, and with it the ray, after this many iterations of all its
+/// loops.
+constexpr int MostShaderIterations = 1 << 16;
 
 }
 

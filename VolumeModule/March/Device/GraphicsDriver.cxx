@@ -1,4 +1,4 @@
-#include "March/Device/FilterPrecision.h"
+#include "March/Device/GraphicsDriver.h"
 
 #include "Core/Recipe/ShaderAssembly.h"
 #include "March/Device/ShaderFiles.h"
@@ -149,6 +149,26 @@ bool FiltersBetweenTexelsExactly(vtkOpenGLRenderWindow* window)
   constexpr double MostDifference = 1.0 / 8192.0;
   static PropertyOfDevices property;
   return property.OfCurrent([&] { return LargestWeightDifference(window) <= MostDifference; });
+}
+
+void CheckForGraphicsReset()
+{
+  // A function of OpenGL 4.5, whose name stands for a pointer.
+  const bool isKnown = glGetGraphicsResetStatus != nullptr;
+  const bool isTold = isKnown && glGetGraphicsResetStatus() != GL_NO_ERROR;
+  // Somebody else may have asked before, such as Qt; a lost context then answers nothing.
+  if (isTold || !glGetString(GL_VERSION))
+  {
+    throw GraphicsReset("The graphics card was reset while the image was drawn: start the program "
+                        "again, or make a new window; if this happens again, choose a smaller "
+                        "image, or another driver");
+  }
+}
+
+bool IsSoftwareRasterizer()
+{
+  const auto* const renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer && std::string(renderer).find("llvmpipe") != std::string::npos;
 }
 
 }
