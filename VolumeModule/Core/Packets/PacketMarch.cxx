@@ -25,46 +25,18 @@ constexpr glm::ivec2 PacketSize = glm::ivec2(4, 2);
 using TileMarch = void(
   const PacketScene& scene, const Viewport& pixels, const Viewport& tile, float* rgba);
 
-template <InstructionSet Set>
-TileMarch* TileMarchOf(const PacketScene& scene)
-{
-  if (scene.constituent.isOfMixture)
-  {
-    return MarchTile<Set, Mixture>;
-  }
-  if (scene.volume.areOfSpline)
-  {
-    return MarchTile<Set, SplineCoefficients>;
-  }
-  if (!IsIndexedBy32Bits(scene.volume.voxelCount))
-  {
-    return MarchTile<Set, ManyVoxels>;
-  }
-  switch (scene.volume.type)
-  {
-    case VoxelType::Int8:
-      return MarchTile<Set, std::int8_t>;
-    case VoxelType::UInt8:
-      return MarchTile<Set, std::uint8_t>;
-    case VoxelType::Int16:
-      return MarchTile<Set, std::int16_t>;
-    case VoxelType::UInt16:
-      return MarchTile<Set, std::uint16_t>;
-    case VoxelType::Float32:
-      break;
-  }
-  return MarchTile<Set, float>;
-}
-
 TileMarch* TileMarchOf(const PacketScene& scene, [[maybe_unused]] InstructionSet set)
 {
 #ifdef VARIMARCH_PACKETS_FOR_AVX2
   if (set == InstructionSet::Avx2)
   {
-    return TileMarchOf<InstructionSet::Avx2>(scene);
+    return IsOfOneType(scene)
+      ? ByVoxelType(scene.volume.type,
+          [](auto voxel) -> TileMarch* { return MarchTile<InstructionSet::Avx2, decltype(voxel)>; })
+      : MarchTile<InstructionSet::Avx2, Anything>;
   }
 #endif
-  return TileMarchOf<InstructionSet::Baseline>(scene);
+  return MarchTile<InstructionSet::Baseline, Anything>;
 }
 
 InstructionSet FastestSet()

@@ -7,11 +7,18 @@
 namespace varimarch
 {
 
-/// The content of a tile: std::int8_t, std::uint8_t, std::int16_t, std::uint16_t or float, which
-/// are fewer than 2^31 voxels of this type, or one of these.
-struct ManyVoxels; ///< any number of voxels of any of these types
-struct SplineCoefficients;
-struct Mixture;
+/// The content of a tile: std::int8_t, std::uint8_t, std::int16_t, std::uint16_t or float, see
+/// IsOfOneType, or anything else. Everything can be marched as anything; one type is faster.
+struct Anything;
+
+/// True for scenes of one volume that is not a spline, has fewer than 2^31 voxels and dims no
+/// light.
+inline bool IsOfOneType(const PacketScene& scene)
+{
+  const bool dims = scene.light.castsShadows || scene.sky.strength > 0.0f || scene.receivers.places;
+  return IsIndexedBy32Bits(scene.volume.voxelCount) && !scene.volume.areOfSpline &&
+    !scene.constituent.isOfMixture && !dims;
+}
 
 /// Marches the pixels in a tile of whole packets on one core. Each set of instructions and each
 /// content has a copy of its own in a translation unit of its own, made of PacketTile.cxx.in. Only

@@ -4,7 +4,6 @@
 // One volume of one component along the rays of a packet: the march of each rule.
 
 #include "Core/Packets/Flattened.h"
-#include "Core/Packets/Interpolation/CubicSpline.h"
 #include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/March/Extreme.h"
 #include "Core/Packets/March/Isosurfaces.h"
@@ -20,20 +19,12 @@
 #include "Core/Packets/Material/Labelled.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
-#include "Core/Packets/Reach/DimmedMaterial.h"
-#include "Core/Packets/Reach/LightOnPlaces.h"
 
 namespace varimarch
 {
 
 namespace
 {
-
-/// True if the volume dims its own light.
-inline bool IsDimmed(const PacketScene& scene)
-{
-  return scene.light.castsShadows || scene.sky.strength > 0.0f;
-}
 
 template <class Voxels, class Material>
 FLATTENED PacketSum MarchMaterial(
@@ -66,127 +57,117 @@ FLATTENED PacketSum MarchProjection(
   return ProjectionMarch<Voxels>(scene, rays, walk, before).March();
 }
 
-template <class Voxel>
+template <class Voxels>
 FLATTENED PacketSum MarchRangeMean(
   const PacketScene& scene, const PacketRays& rays, const PacketSum& before)
 {
-  return RangeMeanMarch<Voxel>(scene, rays, before).March();
+  return RangeMeanMarch<Voxels>(scene, rays, before).March();
 }
 
-template <class Voxel>
-FLATTENED PacketSum MarchVoxels(
+template <class Boxes>
+FLATTENED PacketSum MarchBoxes(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  if (scene.rule == PacketRule::Voxels)
-  {
-    return MarchBoxValues<Voxel>(scene, rays, walk, before);
-  }
-  if (IsDimmed(scene))
-  {
-    return scene.labelRows
-      ? MarchDimmedBoxes<Voxel, DimmedMaterial<PacketBoxes<Voxel>, LabelledMaterial>>(
-          scene, rays, walk, before)
-      : MarchDimmedBoxes<Voxel, DimmedMaterial<PacketBoxes<Voxel>, PacketMaterial>>(
-          scene, rays, walk, before);
-  }
-  if (scene.labelRows)
-  {
-    return MarchBoxMaterials<Voxel, LabelledMaterial>(scene, rays, walk, before);
-  }
-  return HeadLitMaterial::IsThatOf(scene)
-    ? MarchBoxMaterials<Voxel, HeadLitMaterial>(scene, rays, walk, before)
-    : MarchBoxMaterials<Voxel, PacketMaterial>(scene, rays, walk, before);
+  return MarchBoxValues<Boxes>(scene, rays, walk, before);
 }
 
-template <class Voxel>
+template <class Boxes, class Material>
+FLATTENED PacketSum MarchMaterialBoxes(
+  const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
+{
+  return MarchBoxMaterials<Boxes, Material>(scene, rays, walk, before);
+}
+
+template <class Voxels>
 FLATTENED PacketSum MarchIsosurfaces(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  return IsosurfaceMarch<Voxel>(scene, rays, walk, before).March();
+  return IsosurfaceMarch<Voxels>(scene, rays, walk, before).March();
 }
 
-/// @tparam Voxels  PacketVoxels or PacketSpline
-template <class Voxels>
+template <class Content>
 PacketSum MarchSampled(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  if (scene.rule == PacketRule::Projection)
+  using Voxels = typename MarchOf<Content>::Voxels;
+  switch (scene.rule)
   {
-    return MarchProjection<Voxels>(scene, rays, walk, before);
+    case PacketRule::Projection:
+      return MarchProjection<Voxels>(scene, rays, walk, before);
+    case PacketRule::Midpoint:
+    case PacketRule::PreIntegrated:
+      return MarchValues<Voxels>(scene, rays, walk, before);
+    default:
+      return MarchOf<Content>::AlongMaterial(scene, rays, walk, before);
   }
-  if (scene.rule == PacketRule::Midpoint || scene.rule == PacketRule::PreIntegrated)
-  {
-    return MarchValues<Voxels>(scene, rays, walk, before);
-  }
-  if (IsDimmed(scene))
-  {
-    return scene.labelRows
-      ? MarchMaterial<Voxels, DimmedMaterial<Voxels, LabelledMaterial>>(scene, rays, walk, before)
-      : MarchMaterial<Voxels, DimmedMaterial<Voxels, PacketMaterial>>(scene, rays, walk, before);
-  }
-  if (scene.labelRows)
-  {
-    return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
-  }
-  return HeadLitMaterial::IsThatOf(scene)
-    ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk, before)
-    : MarchMaterial<Voxels, PacketMaterial>(scene, rays, walk, before);
 }
 
-/// @tparam Voxel  the type of the voxels
-template <class Voxel>
+/// Marches one volume.
+template <class Content>
 PacketSum MarchByRule(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
+  using Voxels = typename MarchOf<Content>::Voxels;
+  using Boxes = typename MarchOf<Content>::Boxes;
   switch (scene.rule)
   {
     case PacketRule::Extreme:
-      return MarchExtreme<CubicCells<Voxel>>(scene, rays, before);
+      return MarchExtreme<CubicCells<Voxels>>(scene, rays, before);
     case PacketRule::ExtremeVoxel:
-      return MarchExtreme<PacketBoxes<Voxel>>(scene, rays, before);
+      return MarchExtreme<BoxCells<Boxes>>(scene, rays, before);
     case PacketRule::RangeMean:
-      return MarchRangeMean<Voxel>(scene, rays, before);
+      return MarchRangeMean<Voxels>(scene, rays, before);
     case PacketRule::Isosurfaces:
-      return MarchIsosurfaces<Voxel>(scene, rays, walk, before);
+      return MarchIsosurfaces<Voxels>(scene, rays, walk, before);
     case PacketRule::Voxels:
+      return MarchBoxes<Boxes>(scene, rays, walk, before);
     case PacketRule::MaterialVoxels:
-      return MarchVoxels<Voxel>(scene, rays, walk, before);
+      return MarchOf<Content>::AlongBoxes(scene, rays, walk, before);
     default:
-      return scene.opaque.count > 0 ? MarchSampled<PacketVoxels<Voxel>>(scene,
-                                        EndedByOpaque<Voxel>(scene, rays, walk), walk, before)
-                                    : MarchSampled<PacketVoxels<Voxel>>(scene, rays, walk, before);
+      return scene.opaque.count > 0
+        ? MarchSampled<Content>(scene, EndedByOpaque<Voxels>(scene, rays, walk), walk, before)
+        : MarchSampled<Content>(scene, rays, walk, before);
   }
 }
 
+/// The march through voxels of one type, see IsOfOneType.
 template <class Voxel>
 struct MarchOf
 {
+  using Voxels = PacketVoxels<Voxel>;
+  using Boxes = PacketBoxes<Voxel>;
+
   static PacketSum Along(const PacketPiece& piece)
   {
     return MarchByRule<Voxel>(piece.scene, piece.rays, piece.walk, piece.before);
   }
 
-  static Lanes4 LightOn(const PacketScene& scene, int x, int y)
+  static PacketSum AlongMaterial(const PacketScene& scene, const PacketRays& rays,
+    const PacketWalk& walk, const PacketSum& before)
   {
-    const PacketPlaces places = PlacesOfPacket(scene, x, y);
-    return scene.rule == PacketRule::MaterialVoxels
-      ? LightOnPlaces<PacketBoxes<Voxel>>(scene, places)
-      : LightOnPlaces<PacketVoxels<Voxel>>(scene, places);
-  }
-};
-
-template <>
-struct MarchOf<SplineCoefficients>
-{
-  static PacketSum Along(const PacketPiece& piece)
-  {
-    return MarchSampled<PacketSpline>(piece.scene, piece.rays, piece.walk, piece.before);
+    if (scene.labelRows)
+    {
+      return MarchMaterial<Voxels, LabelledMaterial>(scene, rays, walk, before);
+    }
+    return HeadLitMaterial::IsThatOf(scene)
+      ? MarchMaterial<Voxels, HeadLitMaterial>(scene, rays, walk, before)
+      : MarchMaterial<Voxels, PacketMaterial>(scene, rays, walk, before);
   }
 
-  static Lanes4 LightOn(const PacketScene& scene, int x, int y)
+  static PacketSum AlongBoxes(const PacketScene& scene, const PacketRays& rays,
+    const PacketWalk& walk, const PacketSum& before)
   {
-    return LightOnPlaces<PacketSpline>(scene, PlacesOfPacket(scene, x, y));
+    if (scene.labelRows)
+    {
+      return MarchMaterialBoxes<Boxes, LabelledMaterial>(scene, rays, walk, before);
+    }
+    return HeadLitMaterial::IsThatOf(scene)
+      ? MarchMaterialBoxes<Boxes, HeadLitMaterial>(scene, rays, walk, before)
+      : MarchMaterialBoxes<Boxes, PacketMaterial>(scene, rays, walk, before);
   }
+
+  /// Such scenes dim no light.
+  static Lanes4 LightOn(const PacketScene&, int, int) { return {}; }
 };
 
 }

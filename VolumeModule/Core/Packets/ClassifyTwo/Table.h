@@ -3,6 +3,7 @@
 
 // Twin of ClassifyTwo/Table.glsl, for a value and the magnitude of its gradient.
 
+#include "Core/Packets/Flattened.h"
 #include "Core/Packets/PacketTables.h"
 
 namespace varimarch
@@ -11,7 +12,9 @@ namespace varimarch
 namespace
 {
 
-inline Optical ClassifyTwo(const PacketScene& scene, Lanes value, const Lanes3& gradient)
+/// Its arguments are copies, so that those of a march stay in registers.
+[[gnu::noinline]] FLATTENED inline Optical ClassifyTwo(
+  const PacketScene& scene, Lanes value, Lanes3 gradient)
 {
   const VolumeParameters& parameters = scene.parameters;
   const glm::ivec2 size(parameters.twoValueTableSize);

@@ -76,22 +76,18 @@ public:
     Lanes3 beyond;    ///< see MovedInside
   };
 
-  explicit PacketSpline(const PacketVolume& volume)
-    : first(static_cast<const float*>(volume.voxels))
-    , perRow(volume.voxelCount.x)
-    , perSlice(std::ptrdiff_t(volume.voxelCount.x) * volume.voxelCount.y)
-    , lastVoxel{ All(float(volume.voxelCount.x - 1)), All(float(volume.voxelCount.y - 1)),
-      All(float(volume.voxelCount.z - 1)) }
+  explicit PacketSpline(const VoxelsInMemory& coefficients)
+    : coefficients(coefficients)
   {
   }
 
   Cell CellOf(const Lanes3& positionGrid) const
   {
-    const AxisPlace x = PlaceOn(positionGrid.x, this->lastVoxel.x);
-    const AxisPlace y = PlaceOn(positionGrid.y, this->lastVoxel.y);
-    const AxisPlace z = PlaceOn(positionGrid.z, this->lastVoxel.z);
-    return { IntNumbers(Truncated(x.first) + int(this->perRow) * Truncated(y.first) +
-               int(this->perSlice) * Truncated(z.first)),
+    const AxisPlace x = PlaceOn(positionGrid.x, this->coefficients.lastVoxel.x);
+    const AxisPlace y = PlaceOn(positionGrid.y, this->coefficients.lastVoxel.y);
+    const AxisPlace z = PlaceOn(positionGrid.z, this->coefficients.lastVoxel.z);
+    return { this->coefficients.IndexOf<IntNumbers>(
+               Truncated(x.first), Truncated(y.first), Truncated(z.first)),
       { x.part, y.part, z.part }, { x.beyond, y.beyond, z.beyond } };
   }
 
@@ -174,11 +170,12 @@ private:
   // The sum of the four rows in a slice of a cell, for one lane.
   Four SumOfRows(const Cell& cell, int slice, const SplineNumbers& weights, int lane) const
   {
-    const float* const row = this->first + cell.index.of[lane] + slice * this->perSlice;
+    const float* const row = static_cast<const float*>(this->coefficients.first) +
+      cell.index.of[lane] + slice * this->coefficients.perSlice;
     Four sum = weights.At(0, lane) * FourAt(row);
     for (int i = 1; i < 4; ++i)
     {
-      sum = MultiplyAdd(weights.At(i, lane), FourAt(row + i * this->perRow), sum);
+      sum = MultiplyAdd(weights.At(i, lane), FourAt(row + i * this->coefficients.perRow), sum);
     }
     return sum;
   }
@@ -190,10 +187,7 @@ private:
       weights.of[3] * along.w;
   }
 
-  const float* first;
-  std::ptrdiff_t perRow;
-  std::ptrdiff_t perSlice;
-  Lanes3 lastVoxel;
+  VoxelsInMemory coefficients;
 };
 
 }

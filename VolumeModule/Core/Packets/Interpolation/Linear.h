@@ -6,7 +6,6 @@
 // Gradient/CentralDifferencesOfAll.glsl.
 
 #include "Core/Packets/PacketScene.h"
-#include "Core/Packets/PacketTile.h"
 #include "Core/Packets/ShaderMath.h"
 
 #include <cstddef>
@@ -19,39 +18,28 @@ namespace varimarch
 namespace
 {
 
-/// The type of the voxels of a content, see PacketTile.h, and the numbers that are their indices.
-template <class Content>
-struct VoxelsOf
+/// Voxels in memory, whatever their type.
+struct VoxelsInMemory
 {
-  using Voxel = Content;
-  using Indices = IntNumbers;
-};
-
-/// Any number of voxels of one type.
-template <class Content>
-struct Many;
-
-template <class Content>
-struct VoxelsOf<Many<Content>>
-{
-  using Voxel = Content;
-  using Indices = WideNumbers;
-};
-
-/// The strides of voxels in memory, and what indices they have.
-/// @tparam Indices  IntNumbers or WideNumbers
-template <class Indices>
-struct VoxelStrides
-{
+  const void* first;
   std::ptrdiff_t perRow;
   std::ptrdiff_t perSlice;
+  Lanes3 lastVoxel;
+  bool hasInnerCells; ///< true if there are cells with voxels on all sides
 
-  explicit VoxelStrides(const glm::ivec3& voxelCount)
-    : perRow(voxelCount.x)
-    , perSlice(std::ptrdiff_t(voxelCount.x) * voxelCount.y)
+  explicit VoxelsInMemory(const PacketVolume& volume)
+    : first(volume.voxels)
+    , perRow(volume.voxelCount.x)
+    , perSlice(std::ptrdiff_t(volume.voxelCount.x) * volume.voxelCount.y)
+    , lastVoxel{ All(float(volume.voxelCount.x - 1)), All(float(volume.voxelCount.y - 1)),
+      All(float(volume.voxelCount.z - 1)) }
+    , hasInnerCells(
+        volume.voxelCount.x >= 4 && volume.voxelCount.y >= 4 && volume.voxelCount.z >= 4)
   {
   }
 
+  /// @tparam Indices  IntNumbers for fewer than 2^31 voxels, WideNumbers for any number
+  template <class Indices>
   Indices IndexOf(IntLanes x, IntLanes y, IntLanes z) const
   {
     if constexpr (std::is_same_v<Indices, IntNumbers>)
@@ -147,28 +135,25 @@ struct Slope
   Lanes3 gradient;
 };
 
-/// Trilinear interpolation between voxels. The outermost ones extend beyond the volume.
-/// @tparam Content  a type of voxels, or Many of it
-template <class Content>
+/// Trilinear interpolation between voxels of one type. The outermost ones extend beyond the volume.
+/// @tparam Indices  see VoxelsInMemory
+template <class Voxel, class Indices = IntNumbers>
 class PacketVoxels
 {
 public:
-  using Voxel = typename VoxelsOf<Content>::Voxel;
-  using Indices = typename VoxelsOf<Content>::Indices;
-
   struct Cell
   {
     Indices index; ///< index of its first voxel
     Lanes3 part;   ///< how far into it, [0, 1]
   };
 
-  explicit PacketVoxels(const PacketVolume& volume)
-    : first(static_cast<const Voxel*>(volume.voxels))
-    , strides(volume.voxelCount)
-    , lastVoxel{ All(float(volume.voxelCount.x - 1)), All(float(volume.voxelCount.y - 1)),
-      All(float(volume.voxelCount.z - 1)) }
-    , hasInnerCells(
-        volume.voxelCount.x >= 4 && volume.voxelCount.y >= 4 && volume.voxelCount.z >= 4)
+  explicit PacketVoxels(const PacketScene& scene)
+    : voxels(scene.volume)
+  {
+  }
+
+  explicit PacketVoxels(const VoxelsInMemory& voxels)
+    : voxels(voxels)
   {
   }
 
@@ -195,28 +180,26 @@ public:
     const Lanes3 inner = this->Inside(positionGrid, one);
     const LaneMask isOutside = LaneMask(inner.x != positionGrid.x) |
       LaneMask(inner.y != positionGrid.y) | LaneMask(inner.z != positionGrid.z);
-    if (this->hasInnerCells && !Any(mask & isOutside))
+    if (this->voxels.hasInnerCells && !Any(mask & isOutside))
     {
       return this->SlopeIn(this->CellAt(inner, one));
     }
-    return { this->ValueAt(positionGrid),
-      { this->ValueBeside(positionGrid, { 1, 0, 0 }) -
-          this->ValueBeside(positionGrid, { -1, 0, 0 }),
-        this->ValueBeside(positionGrid, { 0, 1, 0 }) -
-          this->ValueBeside(positionGrid, { 0, -1, 0 }),
-        this->ValueBeside(positionGrid, { 0, 0, 1 }) -
-          this->ValueBeside(positionGrid, { 0, 0, -1 }) } };
+    const auto along = [&](int x, int y, int z)
+    {
+      return this->ValueBeside(positionGrid, { x, y, z }) -
+        this->ValueBeside(positionGrid, { -x, -y, -z });
+    };
+    return { this->ValueAt(positionGrid), { along(1, 0, 0), along(0, 1, 0), along(0, 0, 1) } };
   }
 
   /// @param cellGrid  the first voxel; if it is outside, the nearest cell is read
   CellCorners CornersOf(const Lanes3& cellGrid) const
   {
     const Lanes one = All(1.0f);
-    const Lanes3 cell{ Clamp(cellGrid.x, Lanes{}, this->lastVoxel.x - one),
-      Clamp(cellGrid.y, Lanes{}, this->lastVoxel.y - one),
-      Clamp(cellGrid.z, Lanes{}, this->lastVoxel.z - one) };
-    const Indices index =
-      this->strides.IndexOf(Truncated(cell.x), Truncated(cell.y), Truncated(cell.z));
+    const Lanes3 cell{ Clamp(cellGrid.x, Lanes{}, this->voxels.lastVoxel.x - one),
+      Clamp(cellGrid.y, Lanes{}, this->voxels.lastVoxel.y - one),
+      Clamp(cellGrid.z, Lanes{}, this->voxels.lastVoxel.z - one) };
+    const Indices index = this->IndexOf(Truncated(cell.x), Truncated(cell.y), Truncated(cell.z));
     return { { { this->PairsIn(index, 0, 0, 0), this->PairsIn(index, 0, 1, 0) },
                { this->PairsIn(index, 0, 0, 1), this->PairsIn(index, 0, 1, 1) } },
       cell };
@@ -226,19 +209,19 @@ private:
   // The nearest position at least `border` voxels from the outermost ones.
   Lanes3 Inside(const Lanes3& positionGrid, Lanes border) const
   {
-    return { Clamp(positionGrid.x, border, this->lastVoxel.x - border),
-      Clamp(positionGrid.y, border, this->lastVoxel.y - border),
-      Clamp(positionGrid.z, border, this->lastVoxel.z - border) };
+    return { Clamp(positionGrid.x, border, this->voxels.lastVoxel.x - border),
+      Clamp(positionGrid.y, border, this->voxels.lastVoxel.y - border),
+      Clamp(positionGrid.z, border, this->voxels.lastVoxel.z - border) };
   }
 
   // The last plane of voxels inside is the end of the last cell.
   Cell CellAt(const Lanes3& inside, Lanes border) const
   {
     const Lanes beforeLast = border + 1.0f;
-    const IntLanes x = Truncated(Min(inside.x, this->lastVoxel.x - beforeLast));
-    const IntLanes y = Truncated(Min(inside.y, this->lastVoxel.y - beforeLast));
-    const IntLanes z = Truncated(Min(inside.z, this->lastVoxel.z - beforeLast));
-    return { this->strides.IndexOf(x, y, z),
+    const IntLanes x = Truncated(Min(inside.x, this->voxels.lastVoxel.x - beforeLast));
+    const IntLanes y = Truncated(Min(inside.y, this->voxels.lastVoxel.y - beforeLast));
+    const IntLanes z = Truncated(Min(inside.z, this->voxels.lastVoxel.z - beforeLast));
+    return { this->IndexOf(x, y, z),
       { inside.x - FloatOf(x), inside.y - FloatOf(y), inside.z - FloatOf(z) } };
   }
 
@@ -263,18 +246,18 @@ private:
 
   Lanes ValueBeside(const Lanes3& positionGrid, const glm::ivec3& voxels) const
   {
-    const AxisCell x = CellBeside(positionGrid.x, voxels.x, this->lastVoxel.x);
-    const AxisCell y = CellBeside(positionGrid.y, voxels.y, this->lastVoxel.y);
-    const AxisCell z = CellBeside(positionGrid.z, voxels.z, this->lastVoxel.z);
-    return this->ValueIn(
-      { this->strides.IndexOf(x.first, y.first, z.first), { x.part, y.part, z.part } });
+    const AxisCell x = CellBeside(positionGrid.x, voxels.x, this->voxels.lastVoxel.x);
+    const AxisCell y = CellBeside(positionGrid.y, voxels.y, this->voxels.lastVoxel.y);
+    const AxisCell z = CellBeside(positionGrid.z, voxels.z, this->voxels.lastVoxel.z);
+    return this->ValueIn({ this->IndexOf(x.first, y.first, z.first), { x.part, y.part, z.part } });
   }
 
   // Pairs of voxels at this offset from the first voxel of each cell, in voxels, rows and slices.
   ValuePairs PairsIn(const Indices& index, int x, int rows, int slices) const
   {
-    return PairsAt(
-      this->first + (x + rows * this->strides.perRow + slices * this->strides.perSlice), index);
+    return PairsAt(static_cast<const Voxel*>(this->voxels.first) +
+        (x + rows * this->voxels.perRow + slices * this->voxels.perSlice),
+      index);
   }
 
   ValuePairs RowOf(const Cell& cell, int x, int rows, int slices) const
@@ -332,62 +315,30 @@ private:
         Mix(alongZ[0], alongZ[1], part.y) } };
   }
 
-  const Voxel* first;
-  VoxelStrides<Indices> strides;
-  Lanes3 lastVoxel;
-  bool hasInnerCells;
+  Indices IndexOf(IntLanes x, IntLanes y, IntLanes z) const
+  {
+    return this->voxels.template IndexOf<Indices>(x, y, z);
+  }
+
+  VoxelsInMemory voxels;
 };
 
-/// The same of many voxels, whose type is looked up at each place.
-template <>
-class PacketVoxels<ManyVoxels>
+/// Reads the values at places. All cells are found before any is read, and all are read before any
+/// is classified, so that no read waits for another.
+/// @param placeOf  (index) -> place in the grid of the voxels
+template <class Voxels, class PlaceOf, int Count>
+void ReadCells(const Voxels& voxels, PlaceOf placeOf, Lanes (&values)[Count])
 {
-  template <class Read>
-  auto ByType(Read read) const
+  typename Voxels::Cell cells[Count];
+  for (int i = 0; i < Count; ++i)
   {
-    return ByVoxelType(this->volume.type,
-      [&](auto voxel) { return read(PacketVoxels<Many<decltype(voxel)>>(this->volume)); });
+    cells[i] = voxels.CellOf(placeOf(i));
   }
-
-public:
-  using Cell = PacketVoxels<Many<float>>::Cell;
-
-  explicit PacketVoxels(const PacketVolume& volume)
-    : volume(volume)
+  for (int i = 0; i < Count; ++i)
   {
+    values[i] = voxels.ValueIn(cells[i]);
   }
-
-  Cell CellOf(const Lanes3& positionGrid) const
-  {
-    return PacketVoxels<Many<float>>(this->volume).CellOf(positionGrid);
-  }
-
-  [[gnu::noinline]] Lanes ValueIn(const Cell& cell) const
-  {
-    return this->ByType(
-      [&](const auto& voxels) {
-        return voxels.ValueIn({ cell.index, cell.part });
-      });
-  }
-
-  [[gnu::noinline]] Lanes ValueAt(const Lanes3& positionGrid) const
-  {
-    return this->ByType([&](const auto& voxels) { return voxels.ValueAt(positionGrid); });
-  }
-
-  [[gnu::noinline]] Slope SlopeAt(const Lanes3& positionGrid, LaneMask mask) const
-  {
-    return this->ByType([&](const auto& voxels) { return voxels.SlopeAt(positionGrid, mask); });
-  }
-
-  [[gnu::noinline]] CellCorners CornersOf(const Lanes3& cellGrid) const
-  {
-    return this->ByType([&](const auto& voxels) { return voxels.CornersOf(cellGrid); });
-  }
-
-private:
-  PacketVolume volume;
-};
+}
 
 }
 

@@ -2,7 +2,7 @@
 #define Varimarch_Core_Packets_Loop_Segments_h
 
 // The loop along the rays of a packet. A ray that has ended takes part in pieces of no length until
-// all rays have ended. Voxels are PacketVoxels or PacketSpline.
+// all rays have ended. Voxels are PacketVoxels or AnyVoxels.
 // Twin of Loop/Segments.glsl.
 
 #include "Core/Packets/Blend/Composite.h"
@@ -105,30 +105,13 @@ PacketSum MarchSegments(const PacketScene& scene, const PacketRays& rays, const 
   return sum;
 }
 
-/// Reads the values at equal distances along rays. All cells are found before any is read, and all
-/// are read before any is classified, so that no read waits for another.
-/// @param placeAt  (t) -> place in the grid of the voxels
-template <class Voxels, class PlaceAt, int Count>
-[[gnu::flatten]] void ReadValues(
-  const Voxels& voxels, PlaceAt placeAt, Lanes first, Lanes apart, Lanes (&values)[Count])
-{
-  typename Voxels::Cell cells[Count];
-  for (int i = 0; i < Count; ++i)
-  {
-    cells[i] = voxels.CellOf(placeAt(first + float(i) * apart));
-  }
-  for (int i = 0; i < Count; ++i)
-  {
-    values[i] = voxels.ValueIn(cells[i]);
-  }
-}
-
+/// Reads the values at equal distances along rays.
 template <class Voxels, int Count>
-void ReadValues(
+[[gnu::flatten]] void ReadValues(
   const Voxels& voxels, const PacketRays& rays, Lanes first, Lanes apart, Lanes (&values)[Count])
 {
-  ReadValues(
-    voxels, [&](Lanes t) { return rays.At(t); }, first, apart, values);
+  ReadCells(
+    voxels, [&](int i) { return rays.At(first + float(i) * apart); }, values);
 }
 
 }

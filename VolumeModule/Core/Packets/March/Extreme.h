@@ -22,13 +22,14 @@ namespace
 
 /// Cells between eight voxels each, in which the values along rays are cubics. The space before the
 /// first voxel and behind the last one is divided into cells too.
-template <class Voxel>
+/// @tparam Voxels  PacketVoxels or AnyVoxels
+template <class Voxels>
 class CubicCells
 {
 public:
-  explicit CubicCells(const PacketVolume& volume)
-    : voxels(volume)
-    , cellCount(volume.voxelCount + 1)
+  explicit CubicCells(const PacketScene& scene)
+    : voxels(scene)
+    , cellCount(scene.volume.voxelCount + 1)
   {
   }
 
@@ -53,8 +54,36 @@ public:
   }
 
 private:
-  PacketVoxels<Voxel> voxels;
+  Voxels voxels;
   glm::ivec3 cellCount;
+};
+
+/// Boxes of voxels without interpolation.
+/// @tparam Boxes  PacketBoxes or AnyBoxes
+template <class Boxes>
+class BoxCells
+{
+public:
+  explicit BoxCells(const PacketScene& scene)
+    : boxes(scene)
+  {
+  }
+
+  PacketLattice LatticeOf(const PacketRays& rays) const { return this->boxes.LatticeOf(rays); }
+
+  /// See CubicCells. A box that a ray merely touches is ignored: rounding may find one where the
+  /// ray begins or ends.
+  Lanes BetterOf(const PacketRays& rays, const LatticePlace& place, Lanes exit, float sense,
+    Lanes found, LaneMask mask) const
+  {
+    constexpr float ShortestVoxels = 2e-5f;
+    const LaneMask isSeen =
+      mask & LaneMask((exit - place.t) * Length(rays.directionGrid) > ShortestVoxels);
+    return Select(isSeen, Max(found, sense * this->boxes.ValueOf(place.cell)), found);
+  }
+
+private:
+  Boxes boxes;
 };
 
 /// A march keeps the best value in the x of a PacketSum's colour; the optical depth ends rays that
@@ -79,7 +108,7 @@ inline PacketSum SeenOfExtreme(const PacketScene& scene, const PacketSum& march)
 }
 
 /// A march from each brick that may hold a better value to the next one.
-/// @tparam Cells  CubicCells or PacketBoxes
+/// @tparam Cells  CubicCells or BoxCells
 template <class Cells>
 class ExtremeMarch
 {
@@ -88,7 +117,7 @@ public:
     : scene(scene)
     , extreme(scene.extreme)
     , rays(rays)
-    , cells(scene.volume)
+    , cells(scene)
     , lattice(this->cells.LatticeOf(rays))
     , bricks(rays, scene.parameters.cellsPerBrick, 0.0f, scene.extreme.brickCount)
     , blocks(rays, scene.parameters.cellsPerBrick * scene.extreme.bricksPerBlock, 0.0f,

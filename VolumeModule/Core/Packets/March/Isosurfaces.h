@@ -21,7 +21,7 @@ namespace varimarch
 namespace
 {
 
-template <class Voxel>
+template <class Voxels>
 class IsosurfaceMarch
 {
 public:
@@ -32,7 +32,7 @@ public:
     , rays(rays)
     , walk(walk)
     , material(scene, rays)
-    , voxels(scene.volume)
+    , voxels(scene)
     // The space before the first voxel and behind the last one is divided into cells too.
     , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
     , place(cells.At(rays.enter))
@@ -159,7 +159,7 @@ private:
   const PacketRays& rays;
   const PacketWalk& walk;
   PacketMaterial material;
-  PacketVoxels<Voxel> voxels;
+  Voxels voxels;
   PacketLattice cells;
   LatticePlace place;
   LaneMask known = {}; ///< the rays whose value at the place is known

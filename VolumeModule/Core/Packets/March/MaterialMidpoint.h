@@ -20,7 +20,7 @@ PacketSum MarchMaterialMidpoints(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   constexpr int Parts = 4;
-  const Voxels voxels(scene.volume);
+  const Voxels voxels(scene);
   Material material(scene, rays);
   bool isSeen = false; // the last sample: the next is then read with its gradient at once
   PacketSum all = MarchSegments<Parts>(scene, rays, walk, before,

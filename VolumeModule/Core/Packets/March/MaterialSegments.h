@@ -35,7 +35,7 @@ public:
     : scene(scene)
     , rays(rays)
     , walk(walk)
-    , voxels(scene.volume)
+    , voxels(scene)
     , material(scene, rays)
     , sum(before)
     , t(rays.enter)
@@ -152,7 +152,7 @@ private:
     const PacketScene& scene, const PacketRays& rays, Lanes t, Lanes value, LaneMask going)
   {
     Material material(scene, rays);
-    return SurfaceOn(Voxels(scene.volume), material, rays.At(t), value, going);
+    return SurfaceOn(Voxels(scene), material, rays.At(t), value, going);
   }
 
   /// @param along  the middle of the part, [0, 1] of the segment

@@ -16,11 +16,11 @@ namespace
 {
 
 /// A box has a single gradient, the one at its middle.
-template <class Voxel, class Material>
+template <class Boxes, class Material>
 PacketSum MarchBoxMaterials(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  const PacketBoxes<Voxel> boxes(scene.volume);
+  const Boxes boxes(scene);
   Material material(scene, rays);
   return MarchBoxes(scene, rays, walk, before, boxes,
     [&](PacketSum& sum, const Lanes3& voxel, Lanes value, Lanes enter, Lanes lengthMm)
@@ -33,11 +33,11 @@ PacketSum MarchBoxMaterials(
 }
 
 /// Boxes of a material that dims its own light.
-template <class Voxel, class Material>
+template <class Boxes, class Material>
 [[gnu::noinline]] PacketSum MarchDimmedBoxes(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
-  const PacketBoxes<Voxel> boxes(scene.volume);
+  const Boxes boxes(scene);
   Material material(scene, rays);
   PacketSum all = MarchBoxes(scene, rays, walk, before, boxes,
     [&](PacketSum& sum, const Lanes3& voxel, Lanes value, Lanes enter, Lanes lengthMm)

@@ -18,7 +18,7 @@ PacketSum MarchMidpoints(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk, const PacketSum& before)
 {
   constexpr int Parts = 4;
-  const Voxels voxels(scene.volume);
+  const Voxels voxels(scene);
   PacketSum all = MarchSegments<Parts>(scene, rays, walk, before,
     [&](PacketSum& sum, const SegmentParts<Parts>& parts, LaneMask)
     {

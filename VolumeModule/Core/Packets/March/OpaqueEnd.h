@@ -19,7 +19,7 @@ namespace varimarch
 namespace
 {
 
-template <class Voxel>
+template <class Voxels>
 class OpaqueSearch
 {
 public:
@@ -27,7 +27,7 @@ public:
     : opaque(scene.opaque)
     , rays(rays)
     , walk(walk)
-    , voxels(scene.volume)
+    , voxels(scene)
     // The space before the first voxel and behind the last one is divided into cells too.
     , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
     , found(All(Never))
@@ -135,18 +135,18 @@ private:
   const PacketOpaque& opaque;
   const PacketRays& rays;
   const PacketWalk& walk;
-  PacketVoxels<Voxel> voxels;
+  Voxels voxels;
   PacketLattice cells;
   Lanes found;
 };
 
 /// The rays that end at the first opaque place of each.
-template <class Voxel>
+template <class Voxels>
 FLATTENED PacketRays EndedByOpaque(
   const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk)
 {
   PacketRays ended = rays;
-  ended.opaqueAt = OpaqueSearch<Voxel>(scene, rays, walk).First();
+  ended.opaqueAt = OpaqueSearch<Voxels>(scene, rays, walk).First();
   ended.exit = Min(rays.exit, ended.opaqueAt);
   return ended;
 }

@@ -103,7 +103,7 @@ public:
     : scene(scene)
     , rays(rays)
     , walk(walk)
-    , voxels(scene.volume)
+    , voxels(scene)
     , gathered(scene, before)
   {
   }

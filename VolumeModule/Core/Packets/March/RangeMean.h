@@ -22,7 +22,7 @@ namespace
 {
 
 /// A march through all cells; it keeps what that of a projection keeps.
-template <class Voxel>
+template <class Voxels>
 class RangeMeanMarch
 {
 public:
@@ -30,7 +30,7 @@ public:
     : parameters(scene.parameters)
     , stepMm(scene.rays.stepMm)
     , rays(rays)
-    , voxels(scene.volume)
+    , voxels(scene)
     // The space before the first voxel and behind the last one is divided into cells too.
     , cells(rays, 1.0f, -1.0f, scene.volume.voxelCount + 1)
     , gathered(scene, before)
@@ -136,7 +136,7 @@ private:
   const VolumeParameters& parameters;
   float stepMm;
   const PacketRays& rays;
-  PacketVoxels<Voxel> voxels;
+  Voxels voxels;
   PacketLattice cells;
   ProjectedSum gathered;
 };

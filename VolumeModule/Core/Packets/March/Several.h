@@ -5,9 +5,7 @@
 // Twin of March/Several.glsl.
 
 #include "Core/Packets/Loop/Segments.h"
-#include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
-#include "Core/Packets/Reach/LightOnPlaces.h"
 #include "Core/Packets/Volumes/Next.h"
 
 namespace varimarch
@@ -78,19 +76,6 @@ inline PacketSum MarchBehind(const PacketPiece& piece, int next, Constituent* kn
     ? MarchTogether(piece, constituent, MixedLight(piece.scene, piece.rays))
     : MarchTogether(piece, constituent, UnmixedLight());
 }
-
-template <>
-struct MarchOf<Mixture>
-{
-  static PacketSum Along(const PacketPiece& piece) { return MarchBehind(piece, 0, nullptr); }
-
-  static Lanes4 LightOn(const PacketScene& scene, int x, int y)
-  {
-    return LightOnPlaces(scene, PlacesOfPacket(scene, x, y),
-      [&](int light, const PacketPlaces& places)
-      { return LightThroughAll(scene, light).ThroughVolumes(places.placeGrid, places.mask); });
-  }
-};
 
 }
 

@@ -13,7 +13,7 @@ namespace varimarch
 namespace
 {
 
-/// A material that depends on the row of a mask that the rays are in.
+/// A material that depends on the row of a mask that the rays are in, if the scene has labels.
 class LabelledMaterial : public PacketMaterial
 {
 public:
@@ -33,7 +33,8 @@ public:
 
   Optical LookOf(Lanes value, const Lanes3& gradient) const
   {
-    return this->looks.Of(this->rays.region, value, gradient);
+    return this->scene.labelRows ? this->looks.Of(this->rays.region, value, gradient)
+                                 : PacketMaterial::LookOf(value, gradient);
   }
 
   Lanes3 Shaded(const Lanes3& color, const Surface& surface, Lanes t) const
@@ -46,7 +47,7 @@ public:
   {
     const LaneMask isLabelled = LaneMask(this->rays.region > 0);
     Reflector own = PacketMaterial::ReflectorAt(surface, t);
-    if (!this->scene.light.labels || !Any(isLabelled))
+    if (!this->HasLabelSurfaces() || !Any(isLabelled))
     {
       return own;
     }
@@ -69,7 +70,7 @@ public:
     const Lanes3 ofValues = this->OutsideBy(slope, placeGrid,
       [&](Lanes value) { return this->LookOf(value, slope.gradient).extinction; });
     const LaneMask isLabelled = LaneMask(this->rays.region > 0);
-    if (!this->scene.light.labels || !Any(isLabelled))
+    if (!this->HasLabelSurfaces() || !Any(isLabelled))
     {
       return ofValues;
     }
@@ -88,6 +89,8 @@ public:
   }
 
 private:
+  bool HasLabelSurfaces() const { return this->scene.labelRows && this->scene.light.labels; }
+
   LabelLooks looks;
   LabelSurfaces surfaces;
 };

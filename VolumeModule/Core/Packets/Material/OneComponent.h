@@ -94,8 +94,7 @@ public:
 
   /// The places at which surfaces see what is around them: off the side on which there would be
   /// less matter if values went on as they change here.
-  template <class Voxels>
-  Lanes3 OutsideOf(const Slope& slope, const Lanes3& placeGrid, const Voxels&) const
+  Lanes3 OutsideOf(const Slope& slope, const Lanes3& placeGrid) const
   {
     return this->OutsideBy(slope, placeGrid,
       [&](Lanes value) { return this->LookOf(value, slope.gradient).extinction; });
@@ -126,8 +125,8 @@ protected:
       case PacketShading::HeadLight:
         return LitByHeadLight(this->scene, own.reflectance, color, own.surface);
       case PacketShading::Lights:
-        return PacketLights(this->scene, own.reflectance, this->directionWorld)
-          .Lit(color, own.surface, this->WorldAt(t));
+        return LitByLights(
+          this->scene, own.reflectance, this->directionWorld, color, own.surface, this->WorldAt(t));
       case PacketShading::None:
         break;
     }

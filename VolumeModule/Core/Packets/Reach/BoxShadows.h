@@ -4,7 +4,6 @@
 // Rays to lights through voxels without interpolation.
 // Twin of Through/Voxels.glsl.
 
-#include "Core/Packets/March/Voxels.h"
 #include "Core/Packets/Reach/ShadowRays.h"
 
 namespace varimarch
@@ -14,34 +13,32 @@ namespace
 {
 
 /// The optical depth of boxes along rays of any origin: from face to face, so that it is exact.
-/// @tparam Boxes  like PacketBoxes
-template <class Boxes>
 class BoxDepth
 {
 public:
-  BoxDepth(
-    const PacketScene& scene, const Boxes& boxes, const PacketRays& rays, const ShadowMarch& march)
+  BoxDepth(const PacketScene& scene, const PacketRays& rays, const ShadowMarch& march)
     : scene(scene)
-    , boxes(boxes)
+    , boxes(scene)
     , rays(rays)
     , mostDepth(march.mostDepth)
     , walk(scene, rays, 0, 0)
     , matter(scene, rays)
-    , lattice(boxes.LatticeOf(rays))
+    , lattice(this->boxes.LatticeOf(rays))
     , place(lattice.At(rays.enter))
     , brickEnd(rays.enter)
   {
   }
 
   /// See ShadowDepth.
-  template <class Known>
-  Lanes Along(LaneMask mask, Known known)
+  Lanes Along(LaneMask mask, KnownDepths known)
   {
     mask &= LaneMask(this->place.t < this->rays.exit);
     for (int index = 0; index < this->scene.rays.mostSegments && Any(mask); ++index)
     {
-      mask &= ~known(this->place.t, this->depth, mask,
+      const KnownDepth further = known.At(this->place.t, this->depth, mask,
         [&](LaneMask asked) { return this->ExtinctionHere(asked); });
+      this->depth = further.depth;
+      mask &= ~further.isKnown;
       this->SkipInvisible(mask);
       mask &= LaneMask(this->place.t < this->rays.exit);
       if (!Any(mask))
@@ -109,7 +106,7 @@ private:
   }
 
   const PacketScene& scene;
-  const Boxes& boxes;
+  AnyBoxes boxes;
   const PacketRays& rays;
   float mostDepth;
   PacketWalk walk;
@@ -118,13 +115,6 @@ private:
   LatticePlace place;
   Lanes brickEnd; ///< the end of the segment of bricks in which the rays are
   Lanes depth = {};
-};
-
-template <class Content>
-class ShadowDepth<PacketBoxes<Content>> : public BoxDepth<PacketBoxes<Content>>
-{
-public:
-  using BoxDepth<PacketBoxes<Content>>::BoxDepth;
 };
 
 }

@@ -25,12 +25,44 @@ inline Lanes3 PlaceOfLight(const PacketScene& scene, const Lanes3& placeGrid)
   return scene.levels.scenes ? PlaceIn(scene.levels.voxelGridFromOwn, placeGrid) : placeGrid;
 }
 
+template <class Voxels>
+[[gnu::noinline]] FLATTENED Lanes DepthThrough(const PacketScene& scene, const PacketRays& rays,
+  const ShadowMarch& march, LaneMask mask, const KnownDepths& known)
+{
+  return ShadowDepth<Voxels>(scene, rays, march).Along(mask, known);
+}
+
+/// The optical depth of a volume along rays. Most of the time of an image with light that matter
+/// dims is spent here.
+[[gnu::noinline]] FLATTENED inline Lanes DepthOfVolume(const PacketScene& scene,
+  const PacketRays& rays, const ShadowMarch& march, LaneMask mask, const KnownDepths& known)
+{
+  if (scene.rule == PacketRule::MaterialVoxels)
+  {
+    return BoxDepth(scene, rays, march).Along(mask, known);
+  }
+  return AnyVoxels::AreOfOneType(scene)
+    ? ByVoxelType(scene.volume.type,
+        [&](auto voxel)
+        { return DepthThrough<PacketVoxels<decltype(voxel)>>(scene, rays, march, mask, known); })
+    : DepthThrough<AnyVoxels>(scene, rays, march, mask, known);
+}
+
+/// The extinction where rays begin [1/mm]; in a mixture that of interpolated voxels.
+[[gnu::noinline]] inline Lanes ExtinctionAt(
+  const PacketScene& scene, const PacketRays& rays, LaneMask mask)
+{
+  const ShadowMarch march = { 0.0f, Lanes{}, 0.0f };
+  return scene.rule == PacketRule::MaterialVoxels && !scene.constituent.isOfMixture
+    ? BoxDepth(scene, rays, march).ExtinctionHere(mask)
+    : ShadowDepth<AnyVoxels>(scene, rays, march).ExtinctionHere(mask);
+}
+
 /// The optical depth of blocks, each by its level.
 /// @param scene  that of the voxels
 /// @param march  in voxels; segments in a coarser level are as much longer as its steps
-template <class Voxels>
-[[gnu::noinline]] Lanes DepthOfLevels(
-  const PacketScene& scene, const PacketRays& rays, LaneMask mask, const ShadowMarch& march)
+[[gnu::noinline]] inline Lanes DepthOfLevels(
+  const PacketScene& scene, const PacketRays& rays, const ShadowMarch& march, LaneMask mask)
 {
   constexpr float GrowthPerMm = 0.3f; // NextShadowStep
   LevelPieces pieces(scene, rays);
@@ -49,9 +81,8 @@ template <class Voxels>
         const float longestMm = march.longestMm * (own.rays.shadowStepMm / scene.rays.shadowStepMm);
         const ShadowMarch part{ longestMm,
           Min(march.firstMm + GrowthPerMm * ofLevel.enter, All(longestMm)), march.mostDepth };
-        const Voxels voxels(own.volume);
-        depth += Select(isIn,
-          ShadowDepth<Voxels>(own, voxels, ofLevel, part).Along(isIn, NothingIsKnown()), Lanes{});
+        depth +=
+          Select(isIn, DepthOfVolume(own, ofLevel, part, isIn, KnownDepths(ofLevel)), Lanes{});
       }
     }
     mask &= LaneMask(piece.exit < rays.exit) & LaneMask(depth < march.mostDepth);
@@ -60,13 +91,11 @@ template <class Voxels>
 }
 
 /// The optical depth along rays.
-/// @param known  see ShadowDepth
-template <class Voxels, class Known>
-Lanes DepthAlong(const PacketScene& scene, const Voxels& voxels, const PacketRays& rays,
-  const ShadowMarch& march, LaneMask mask, Known known)
+inline Lanes DepthAlong(const PacketScene& scene, const PacketRays& rays, const ShadowMarch& march,
+  LaneMask mask, const KnownDepths& known)
 {
-  return scene.levels.scenes ? DepthOfLevels<Voxels>(scene, rays, mask, march)
-                             : ShadowDepth<Voxels>(scene, voxels, rays, march).Along(mask, known);
+  return scene.levels.scenes ? DepthOfLevels(scene, rays, march, mask)
+                             : DepthOfVolume(scene, rays, march, mask, known);
 }
 
 }

@@ -24,14 +24,12 @@ static_assert(MostShadows == MostShadowedLights);
 
 /// The part of a light that reaches places in a volume. If the light is a point, geometry leaves
 /// all of it: its shadows have edges, which DimmedMaterial finds.
-template <class Voxels>
 class TracedLight
 {
 public:
   /// @param light  its index
-  TracedLight(const PacketScene& scene, const Voxels& voxels, int light)
+  TracedLight(const PacketScene& scene, int light)
     : scene(scene)
-    , voxels(voxels)
     , light(scene, light)
     , casters(scene, light)
     , cells(scene.shadows.nodes[light], scene.shadows.shape)
@@ -57,8 +55,22 @@ public:
   template <class Turned>
   Lanes Along(const Lanes3& placeGrid, LaneMask mask, float longestMm, Turned turned) const
   {
-    return this->AtEndOf(
-      this->light.RaysFrom(placeGrid, turned), mask, longestMm, NothingIsKnown());
+    const PacketRays rays = this->light.RaysFrom(placeGrid, turned);
+    return this->AtEndOf(rays, mask, longestMm, KnownDepths(rays));
+  }
+
+  /// See DepthOfCells. Where the nodes of a cell agree, they tell the light at the end of a ray.
+  KnownDepth DepthOf(const Lanes3& placeGrid, Lanes depth, LaneMask mask, Lanes taken) const
+  {
+    mask &= this->cells.Contains(placeGrid);
+    if (!Any(mask))
+    {
+      return { mask, depth };
+    }
+    const LightInCells found = this->cells.LightAt(placeGrid, mask,
+      [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->AtNode(nodeGrid, nodes); });
+    const LaneMask agrees = mask & this->Agrees(found, taken, Exp(-depth));
+    return { agrees, depth - Select(agrees, Log(Max(found.between, 1e-6f)), Lanes{}) };
   }
 
 private:
@@ -91,20 +103,8 @@ private:
   Lanes OfPointAt(const Lanes3& placeGrid, LaneMask mask) const
   {
     const PacketRays rays = this->light.RaysFrom(placeGrid);
-    // Cells are read where a ray begins, and then ever farther apart.
-    const Lanes cellMm = this->CellMm(rays);
-    Lanes next = {};
-    const auto known = [&](Lanes t, Lanes& depth, LaneMask going, const auto& extinction)
-    {
-      const LaneMask asks = going & LaneMask(t >= next);
-      if (!this->cells || !Any(asks))
-      {
-        return LaneMask{};
-      }
-      next = Select(asks, Max(2.0f * t, t + cellMm), next);
-      return this->AddKnown(rays.At(t), depth, asks, cellMm * extinction(asks));
-    };
-    return this->AtEndOf(rays, mask, this->scene.rays.shadowStepMm, known);
+    return this->AtEndOf(rays, mask, this->scene.rays.shadowStepMm,
+      this->cells ? KnownDepths(*this, rays, this->CellMm(rays)) : KnownDepths(rays));
   }
 
   // Where the nodes of a cell agree, they tell the light; elsewhere all directions are traced.
@@ -138,12 +138,11 @@ private:
                                                 : float(MostShadowDepth);
   }
 
-  template <class Known>
-  [[gnu::noinline]] FLATTENED Lanes AtEndOf(
-    const PacketRays& rays, LaneMask mask, float longestMm, Known known) const
+  Lanes AtEndOf(
+    const PacketRays& rays, LaneMask mask, float longestMm, const KnownDepths& known) const
   {
     const ShadowMarch march = { longestMm, FirstShadowStep(All(longestMm)), this->MostDepth() };
-    return Exp(-DepthAlong(this->scene, this->voxels, rays, march, mask, known));
+    return Exp(-DepthAlong(this->scene, rays, march, mask, known));
   }
 
   // The length of a cell along rays.
@@ -156,9 +155,7 @@ private:
   Lanes TakenBy(const Lanes3& placeGrid, LaneMask mask) const
   {
     const PacketRays rays = this->light.RaysFrom(placeGrid);
-    const ShadowMarch march = { 0.0f, Lanes{}, 0.0f };
-    return this->CellMm(rays) *
-      ShadowDepth<Voxels>(this->scene, this->voxels, rays, march).ExtinctionHere(mask);
+    return this->CellMm(rays) * ExtinctionAt(this->scene, rays, mask);
   }
 
   // True where the nodes of a cell tell the light at a place. Matter that is thinner than a cell
@@ -170,52 +167,57 @@ private:
       left * Max(found.spread, found.between * taken) <= this->scene.shadows.agreement);
   }
 
-  // Where the nodes of a cell agree, they tell the light at the end of a ray.
-  LaneMask AddKnown(const Lanes3& placeGrid, Lanes& depth, LaneMask mask, Lanes taken) const
-  {
-    mask &= this->cells.Contains(placeGrid);
-    if (!Any(mask))
-    {
-      return mask;
-    }
-    const LightInCells found = this->cells.LightAt(placeGrid, mask,
-      [&](const Lanes3& nodeGrid, LaneMask nodes) { return this->AtNode(nodeGrid, nodes); });
-    const LaneMask agrees = mask & this->Agrees(found, taken, Exp(-depth));
-    depth = depth - Select(agrees, Log(Max(found.between, 1e-6f)), Lanes{});
-    return agrees;
-  }
-
   // The light at nodes, which no view and no sample changes.
   [[gnu::noinline]] Lanes AtNode(const Lanes3& nodeGrid, LaneMask mask) const
   {
     const float longestMm = this->scene.shadows.nodeStepMm;
-    return this->IsSoft()
-      ? this->TracedCone(nodeGrid, mask, longestMm)
-      : this->AtEndOf(this->light.RaysFrom(nodeGrid), mask, longestMm, NothingIsKnown());
+    if (this->IsSoft())
+    {
+      return this->TracedCone(nodeGrid, mask, longestMm);
+    }
+    const PacketRays rays = this->light.RaysFrom(nodeGrid);
+    return this->AtEndOf(rays, mask, longestMm, KnownDepths(rays));
   }
 
   const PacketScene& scene;
-  const Voxels& voxels;
   ShadowedLight light;
   Casters casters;
   LightCells cells;
 };
 
+[[gnu::noinline]] inline KnownDepth DepthOfCells(
+  const TracedLight& light, const Lanes3& placeGrid, Lanes depth, LaneMask mask, Lanes taken)
+{
+  return light.DepthOf(placeGrid, depth, mask, taken);
+}
+
+/// The part of a light that reaches places in the grid of the rays.
+struct LightFromRays
+{
+  const PacketScene& scene;
+  TracedLight traced;
+
+  Lanes At(const Lanes3& placeGrid, LaneMask mask) const
+  {
+    return this->traced.At(PlaceOfLight(this->scene, placeGrid), mask);
+  }
+};
+
 /// Adds its samples to a sum without what shadows may take away, which it gathers. Its surfaces
 /// know how much of the light from all around reaches them.
-/// @tparam Undimmed  PacketMaterial or LabelledMaterial
-template <class Voxels, class Undimmed>
-class DimmedMaterial : public Undimmed
+/// @tparam Voxels  AnyVoxels or AnyBoxes
+template <class Voxels>
+class DimmedMaterial : public LabelledMaterial
 {
 public:
   using SurfaceType = OpenSurface;
 
   DimmedMaterial(const PacketScene& scene, const PacketRays& rays)
-    : Undimmed(scene, rays)
-    , voxels(SceneOfLight(scene).volume)
+    : LabelledMaterial(scene, rays)
+    , voxels(SceneOfLight(scene))
     , lightCount(ShadowedLight::CountOf(scene))
     , casters(scene, rays)
-    , sky(SceneOfLight(scene), this->voxels)
+    , sky(SceneOfLight(scene), SceneOfLight(scene))
     , gathered(this->lightCount, scene.rays.shadowStepMm)
   {
   }
@@ -279,47 +281,35 @@ private:
       { this->gathered.Add(light, this->casters.Left(light, seen, inShadow, isSeen) * own); });
   }
 
-  /// The part of a light that reaches places in the grid of the rays.
-  struct LightFromRays
-  {
-    const PacketScene& scene;
-    TracedLight<Voxels> traced;
-
-    Lanes At(const Lanes3& placeGrid, LaneMask mask) const
-    {
-      return this->traced.At(PlaceOfLight(this->scene, placeGrid), mask);
-    }
-  };
-
   void SetLight(int light, LitPlaces& places) const
   {
-    const LightFromRays found{ this->scene, { SceneOfLight(this->scene), this->voxels, light } };
+    const LightFromRays found{ this->scene, { SceneOfLight(this->scene), light } };
     TracedPlaces<LightFromRays>(this->rays, found).Set(places);
   }
 
   Voxels voxels;  ///< the voxels of SceneOfLight
   int lightCount; ///< number of lights that cast shadows
   CastersOnRays casters;
-  OpenSky<Voxels> sky;
+  OpenSky sky;
   typename GatheringIn<Voxels>::Type gathered;
 };
 
-template <class Voxels, class Undimmed>
-OpenSurface SurfaceAt(DimmedMaterial<Voxels, Undimmed>& material, const Slope& slope,
-  const Lanes3& placeGrid, LaneMask mask)
+template <class Voxels>
+OpenSurface SurfaceAt(
+  DimmedMaterial<Voxels>& material, const Slope& slope, const Lanes3& placeGrid, LaneMask mask)
 {
   return material.SurfaceAt(slope, placeGrid, mask);
 }
 
-template <class Voxels, class Undimmed>
-void AddLit(PacketSum& sum, DimmedMaterial<Voxels, Undimmed>& material, Lanes value,
+template <class Voxels>
+void AddLit(PacketSum& sum, DimmedMaterial<Voxels>& material, Lanes value,
   const OpenSurface& surface, const RayPart& part)
 {
   material.Add(sum, value, surface, part);
 }
 
-template <class Voxels, class Undimmed>
-void AddOwed(PacketSum& sum, DimmedMaterial<Voxels, Undimmed>& material)
+template <class Voxels>
+void AddOwed(PacketSum& sum, DimmedMaterial<Voxels>& material)
 {
   material.AddGathered(sum);
 }

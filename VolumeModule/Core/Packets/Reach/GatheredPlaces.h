@@ -3,7 +3,7 @@
 
 // The light that samples in boxes reflect, kept until it is known how much of it reaches them.
 
-#include "Core/Packets/March/Voxels.h"
+#include "Core/Packets/Interpolation/AnyVoxels.h"
 #include "Core/Packets/Reach/GatheredLight.h"
 
 namespace varimarch
@@ -141,8 +141,8 @@ struct GatheringIn
   using Type = GatheredLight;
 };
 
-template <class Content>
-struct GatheringIn<PacketBoxes<Content>>
+template <>
+struct GatheringIn<AnyBoxes>
 {
   using Type = GatheredPlaces;
 };

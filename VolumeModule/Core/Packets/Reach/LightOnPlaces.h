@@ -54,16 +54,6 @@ Lanes4 LightOnPlaces(const PacketScene& scene, const PacketPlaces& places, PartO
   return { lightOf(0), lightOf(1), lightOf(2), lightOf(3) };
 }
 
-/// The same for what one volume lets through.
-template <class Voxels>
-Lanes4 LightOnPlaces(const PacketScene& scene, const PacketPlaces& places)
-{
-  const Voxels voxels(scene.volume);
-  return LightOnPlaces(scene, places,
-    [&](int light, const PacketPlaces& of)
-    { return TracedLight<Voxels>(scene, voxels, light).ThroughVolume(of.placeGrid, of.mask); });
-}
-
 }
 
 }

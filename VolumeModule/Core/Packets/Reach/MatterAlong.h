@@ -26,6 +26,8 @@ public:
     , material(scene, rays)
     , looks(scene)
     , mask(scene, rays)
+    , isCut(
+        scene.rays.croppingRegions != 0 || scene.textures.maskTexture || scene.textures.gapTexture)
   {
   }
 
@@ -33,38 +35,13 @@ public:
   /// @param isAsked  the rays that matter
   Lanes GoTo(Lanes t, LaneMask isAsked)
   {
-    Lanes face = All(Never);
-    if (this->scene.textures.maskTexture)
-    {
-      face = this->mask.GoTo(t, isAsked);
-    }
-    return this->scene.rays.croppingRegions != 0
-      ? Min(face, CroppedPieces(this->scene, this->rays).NextCrossing(t))
-      : face;
+    return this->isCut ? this->GoToCut(t, isAsked) : All(Never);
   }
 
   /// The rays with matter at a place, which lies before the next cut.
   LaneMask IsLeft(Lanes place) const
   {
-    LaneMask isLeft = LaneMask(place == place);
-    if (this->scene.rays.croppingRegions != 0)
-    {
-      isLeft &= CroppedPieces(this->scene, this->rays).IsDrawn(place);
-    }
-    if (this->scene.textures.maskTexture)
-    {
-      isLeft &= LaneMask(FloatOf(this->mask.Content()) > this->scene.parameters.leastContent);
-    }
-    if (const auto* const texels = this->scene.textures.gapTexture.template Texels<std::uint8_t>())
-    {
-      const VolumeParameters& p = this->scene.parameters;
-      const PacketLattice cells(this->rays, 1.0f, -p.gapShift, glm::ivec3(p.gapCellCount));
-      const IntNumbers index = cells.IndexOf(cells.At(place).cell);
-      const IntLanes texel =
-        IntLanesOf([&](int lane) { return std::int32_t(texels[index.of[lane]]); });
-      isLeft &= (texel != GapField::NoValue) & (texel != GapField::LeftOut);
-    }
-    return isLeft;
+    return this->isCut ? this->IsLeftByCuts(place) : LaneMask(place == place);
   }
 
   /// True if extinction depends on values alone.
@@ -81,7 +58,7 @@ public:
       return this->ExtinctionOfLabels(value, gradient);
     }
     const Lanes extinction = this->IsOfValues() ? varimarch::ExtinctionOf(this->scene.look, value)
-                                                : this->material.LookOf(value, gradient).extinction;
+                                                : this->ExtinctionBy(value, gradient);
     const float weight = this->scene.parameters.partWeights[this->scene.constituent.component];
     return Min(weight * extinction, All(this->scene.shadows.mostExtinction));
   }
@@ -105,6 +82,47 @@ public:
   }
 
 private:
+  // What few scenes have is not inlined into the march of rays, of which there are several copies.
+  [[gnu::noinline]] Lanes GoToCut(Lanes t, LaneMask isAsked)
+  {
+    Lanes face = All(Never);
+    if (this->scene.textures.maskTexture)
+    {
+      face = this->mask.GoTo(t, isAsked);
+    }
+    return this->scene.rays.croppingRegions != 0
+      ? Min(face, CroppedPieces(this->scene, this->rays).NextCrossing(t))
+      : face;
+  }
+
+  [[gnu::noinline]] LaneMask IsLeftByCuts(Lanes place) const
+  {
+    LaneMask isLeft = LaneMask(place == place);
+    if (this->scene.rays.croppingRegions != 0)
+    {
+      isLeft &= CroppedPieces(this->scene, this->rays).IsDrawn(place);
+    }
+    if (this->scene.textures.maskTexture)
+    {
+      isLeft &= LaneMask(FloatOf(this->mask.Content()) > this->scene.parameters.leastContent);
+    }
+    if (const auto* const texels = this->scene.textures.gapTexture.template Texels<std::uint8_t>())
+    {
+      const VolumeParameters& p = this->scene.parameters;
+      const PacketLattice cells(this->rays, 1.0f, -p.gapShift, glm::ivec3(p.gapCellCount));
+      const IntNumbers index = cells.IndexOf(cells.At(place).cell);
+      const IntLanes texel =
+        IntLanesOf([&](int lane) { return std::int32_t(texels[index.of[lane]]); });
+      isLeft &= (texel != GapField::NoValue) & (texel != GapField::LeftOut);
+    }
+    return isLeft;
+  }
+
+  [[gnu::noinline]] FLATTENED Lanes ExtinctionBy(Lanes value, const Lanes3& gradient) const
+  {
+    return this->material.LookOf(value, gradient).extinction;
+  }
+
   [[gnu::noinline]] Lanes ExtinctionOfLabels(Lanes value, const Lanes3& gradient) const
   {
     return Min(this->looks.Of(this->mask.Content(), value, gradient).extinction,
@@ -116,6 +134,7 @@ private:
   PacketMaterial material;
   LabelLooks looks;
   MaskWalk mask;
+  bool isCut; ///< true if cropping, a mask or gaps may take matter away
 };
 
 }

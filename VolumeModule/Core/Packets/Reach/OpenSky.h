@@ -4,7 +4,6 @@
 // Light from all around, as far as matter near a place lets it through: ambient occlusion.
 // Twin of Sky/OpenSky.glsl, Outside/Scalars.glsl and Outside/Labels.glsl.
 
-#include "Core/Packets/Flattened.h"
 #include "Core/Packets/Reach/DepthAlong.h"
 #include "Core/Packets/Reach/LightCells.h"
 
@@ -14,12 +13,40 @@ namespace varimarch
 namespace
 {
 
+/// All constituents of a mixture; a volume that is no mixture is the only one.
+class AllConstituents
+{
+public:
+  explicit AllConstituents(const PacketScene& first)
+    : first(first)
+  {
+  }
+
+  int Count() const { return this->first.constituent.otherCount + 1; }
+
+  const PacketScene& operator[](int index) const
+  {
+    return index == 0 ? this->first : this->first.constituent.others[index - 1];
+  }
+
+private:
+  const PacketScene& first;
+};
+
+/// Places in the grid of a volume, for places in that of another one.
+inline Lanes3 PlaceInGridOf(
+  const VolumeParameters& volume, const VolumeParameters& other, const Lanes3& placeGrid)
+{
+  const Lanes3 world =
+    Transformed(other.worldFromGrid, placeGrid) + AllOf3(other.worldOfGridOrigin);
+  return Transformed(volume.gridFromWorld, world - AllOf3(volume.worldOfGridOrigin));
+}
+
 /// The optical depth of a volume from places on, as far as light from all around is taken.
 /// @param direction  its index in PacketSky
 /// @param isOfNodes  true for the places of nodes of the lattice
-template <class Voxels>
-FLATTENED Lanes SkyDepth(const PacketScene& scene, const Voxels& voxels, int direction,
-  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
+inline Lanes OwnSkyDepth(
+  const PacketScene& scene, int direction, const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
 {
   PacketRays rays;
   rays.originGrid = placeGrid;
@@ -32,19 +59,43 @@ FLATTENED Lanes SkyDepth(const PacketScene& scene, const Voxels& voxels, int dir
   // A surface is farther from its place than the first segment.
   const float longestMm = isOfNodes ? scene.sky.nodeStepMm : scene.sky.stepMm;
   const ShadowMarch march = { longestMm, All(0.5f * longestMm), scene.sky.mostDepth };
-  return DepthAlong(scene, voxels, rays, march, mask, NothingIsKnown());
+  return DepthAlong(scene, rays, march, mask, KnownDepths(rays));
+}
+
+/// The optical depth of all constituents from places on, in the grid of one of them.
+inline Lanes SkyDepth(const PacketScene& scene, const AllConstituents& all, int direction,
+  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
+{
+  if (!scene.constituent.isOfMixture)
+  {
+    return OwnSkyDepth(scene, direction, placeGrid, mask, isOfNodes);
+  }
+  Lanes depth = {};
+  for (int i = 0; i < all.Count(); ++i)
+  {
+    const LaneMask counts = mask & LaneMask(depth < scene.sky.mostDepth);
+    if (!Any(counts))
+    {
+      break;
+    }
+    const PacketScene& other = all[i];
+    const Lanes own = OwnSkyDepth(other, direction,
+      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts, isOfNodes);
+    depth = depth + Select(counts, own, Lanes{});
+  }
+  return depth;
 }
 
 /// The part of the light from all around that reaches places in a volume. Where it is traced,
 /// places that follow each other at less than half of a segment are extrapolated from those before.
-/// @tparam Voxels  with a SkyDepth
-template <class Voxels>
 class OpenSky
 {
 public:
-  OpenSky(const PacketScene& scene, const Voxels& voxels)
+  /// @param scene  the one with the places
+  /// @param first  the first constituent of its mixture, or itself
+  OpenSky(const PacketScene& scene, const PacketScene& first)
     : scene(scene)
-    , voxels(voxels)
+    , all(first)
     , cells(scene.sky.nodes, scene.sky.shape)
   {
   }
@@ -94,14 +145,14 @@ private:
     Lanes seen = {};
     for (int i = 0; i < SphereDirections; ++i)
     {
-      const Lanes depth = SkyDepth(this->scene, this->voxels, i, placeGrid, mask, isOfNodes);
+      const Lanes depth = SkyDepth(this->scene, this->all, i, placeGrid, mask, isOfNodes);
       seen = seen + this->scene.sky.directions[i].w * Exp(-depth);
     }
     return KeptLight(seen, All(this->scene.sky.strength));
   }
 
   const PacketScene& scene;
-  const Voxels& voxels;
+  AllConstituents all;
   LightCells cells;
   Lanes3 lastGrid = Lanes3(0.0f); ///< the places that were traced last
   Lanes lastOpen = {};

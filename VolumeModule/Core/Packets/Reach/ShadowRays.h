@@ -3,6 +3,7 @@
 
 // Twin of Reach/ShadowRays.glsl and Through/Segments.glsl.
 
+#include "Core/Packets/Interpolation/AnyVoxels.h"
 #include "Core/Packets/Reach/MatterAlong.h"
 #include "Core/Packets/Shade/Lights.h"
 #include "Core/Packets/Step/OpticalField.h"
@@ -23,25 +24,74 @@ struct ShadowMarch
   float mostDepth; ///< optical depth beyond which no light is left
 };
 
-/// Tells ShadowDepth no depths, so that it takes those of the rays themselves.
-struct NothingIsKnown
+class TracedLight;
+
+/// An optical depth that a lattice of light tells.
+struct KnownDepth
 {
-  template <class Extinction>
-  LaneMask operator()(Lanes, const Lanes&, LaneMask, const Extinction&) const
+  LaneMask isKnown; ///< the rays whose further depth is known
+  Lanes depth;      ///< of these rays with the further depth, of others as before
+};
+
+/// @param depth  up to the places
+/// @param taken  the optical depth of a cell that is filled by the matter at the places
+KnownDepth DepthOfCells(
+  const TracedLight& light, const Lanes3& placeGrid, Lanes depth, LaneMask mask, Lanes taken);
+
+/// The depths of rays to a light that its lattice tells.
+class KnownDepths
+{
+public:
+  /// None, so that the rays themselves are marched.
+  explicit KnownDepths(const PacketRays& rays)
+    : rays(rays)
   {
-    return LaneMask{};
   }
+
+  /// @param light   with a lattice
+  /// @param cellMm  length of a cell along the rays
+  KnownDepths(const TracedLight& light, const PacketRays& rays, Lanes cellMm)
+    : light(&light)
+    , rays(rays)
+    , cellMm(cellMm)
+  {
+  }
+
+  /// Cells are read where a ray begins, and then ever farther apart.
+  /// @param extinction  (rays) -> the extinction at their t
+  template <class Extinction>
+  KnownDepth At(Lanes t, Lanes depth, LaneMask mask, const Extinction& extinction)
+  {
+    if (!this->light)
+    {
+      return { LaneMask{}, depth };
+    }
+    const LaneMask asks = mask & LaneMask(t >= this->next);
+    if (!Any(asks))
+    {
+      return { LaneMask{}, depth };
+    }
+    this->next = Select(asks, Max(2.0f * t, t + this->cellMm), this->next);
+    return DepthOfCells(
+      *this->light, this->rays.At(t), depth, asks, this->cellMm * extinction(asks));
+  }
+
+private:
+  const TracedLight* light = nullptr;
+  const PacketRays& rays;
+  Lanes cellMm = {};
+  Lanes next = {}; ///< the place where a cell is read next
 };
 
 /// The optical depth of the volume along rays of any origin.
+/// @tparam Voxels  PacketVoxels or AnyVoxels
 template <class Voxels>
 class ShadowDepth
 {
 public:
-  ShadowDepth(const PacketScene& scene, const Voxels& voxels, const PacketRays& rays,
-    const ShadowMarch& march)
+  ShadowDepth(const PacketScene& scene, const PacketRays& rays, const ShadowMarch& march)
     : scene(scene)
-    , voxels(voxels)
+    , voxels(scene)
     , rays(rays)
     , march(march)
     , walk(scene, rays, 0, 0)
@@ -52,18 +102,16 @@ public:
   {
   }
 
-  /// @param mask   the rays whose depth matters
-  /// @param known  (places along the rays, depths up to there, rays, extinction there) -> the rays
-  ///               whose further depth is known, after adding it to the depths. The extinction is a
-  ///               function of the rays at whose places it matters.
-  template <class Known>
-  Lanes Along(LaneMask mask, Known known)
+  /// @param mask  the rays whose depth matters
+  Lanes Along(LaneMask mask, KnownDepths known)
   {
     mask &= LaneMask(this->t < this->rays.exit);
     for (int index = 0; index < this->scene.rays.mostSegments && Any(mask); ++index)
     {
-      mask &= ~known(
+      const KnownDepth further = known.At(
         this->t, this->depth, mask, [&](LaneMask asked) { return this->ExtinctionHere(asked); });
+      this->depth = further.depth;
+      mask &= ~further.isKnown;
       if (!Any(mask))
       {
         break;
@@ -124,7 +172,7 @@ private:
   }
 
   const PacketScene& scene;
-  const Voxels& voxels;
+  Voxels voxels;
   const PacketRays& rays;
   const ShadowMarch& march;
   PacketWalk walk;

@@ -4,6 +4,7 @@
 // Twin of Shade/Lights.glsl.
 
 #include "Core/Packets/Damping/Homogeneous.h"
+#include "Core/Packets/Flattened.h"
 #include "Core/Packets/Scatter/HenyeyGreenstein.h"
 #include "Core/Packets/Shade/HeadLight.h"
 
@@ -168,6 +169,13 @@ private:
   bool isShiny; ///< True if there is specular light.
   Lanes3 toEye;
 };
+
+/// The light of all. Its arguments are copies, so that those of a march stay in registers.
+[[gnu::noinline]] FLATTENED inline Lanes3 LitByLights(const PacketScene& scene, Lanes4 reflectance,
+  Lanes3 directionWorld, Lanes3 color, Surface surface, Lanes3 positionWorld)
+{
+  return PacketLights(scene, reflectance, directionWorld).Lit(color, surface, positionWorld);
+}
 
 }
 

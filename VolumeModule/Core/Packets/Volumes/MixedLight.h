@@ -6,55 +6,12 @@
 // Twin of Around/Volumes.glsl.
 
 #include "Core/Packets/Reach/DimmedMaterial.h"
-#include "Core/Packets/Volumes/AnyVoxels.h"
 
 namespace varimarch
 {
 
 namespace
 {
-
-/// All constituents of a mixture.
-class AllConstituents
-{
-public:
-  explicit AllConstituents(const PacketScene& first)
-    : first(first)
-  {
-  }
-
-  int Count() const { return this->first.constituent.otherCount + 1; }
-
-  const PacketScene& operator[](int index) const
-  {
-    return index == 0 ? this->first : this->first.constituent.others[index - 1];
-  }
-
-private:
-  const PacketScene& first;
-};
-
-/// Places in the grid of a volume, for places in that of another one.
-inline Lanes3 PlaceInGridOf(
-  const VolumeParameters& volume, const VolumeParameters& other, const Lanes3& placeGrid)
-{
-  const Lanes3 world =
-    Transformed(other.worldFromGrid, placeGrid) + AllOf3(other.worldOfGridOrigin);
-  return Transformed(volume.gridFromWorld, world - AllOf3(volume.worldOfGridOrigin));
-}
-
-/// The optical depth of a constituent along rays, see DepthAlong. A mixture has no levels.
-template <class Known>
-Lanes DepthAlong(const PacketScene& scene, const AnyVoxels& voxels, const PacketRays& rays,
-  const ShadowMarch& march, LaneMask mask, Known known)
-{
-  if (scene.rule == PacketRule::MaterialVoxels)
-  {
-    const AnyBoxes boxes(scene);
-    return BoxDepth<AnyBoxes>(scene, boxes, rays, march).Along(mask, known);
-  }
-  return ShadowDepth<AnyVoxels>(scene, voxels, rays, march).Along(mask, known);
-}
 
 /// The part of a light that all constituents let through.
 class LightThroughAll
@@ -126,8 +83,7 @@ private:
         break;
       }
       const PacketScene& scene = this->all[i];
-      const AnyVoxels voxels(scene);
-      const TracedLight<AnyVoxels> traced(scene, voxels, this->light);
+      const TracedLight traced(scene, this->light);
       const Lanes3 place = PlaceInGridOf(scene.parameters, first.parameters, placeGrid);
       part = Select(counts, part * partOf(traced, place, counts, scene), part);
     }
@@ -137,32 +93,6 @@ private:
   AllConstituents all;
   int light;
 };
-
-/// Voxels around which all constituents take light from all around.
-struct VoxelsAmongOthers
-{
-  AllConstituents all;
-};
-
-/// The optical depth of all constituents from places on, in the grid of one of them.
-inline Lanes SkyDepth(const PacketScene& scene, const VoxelsAmongOthers& voxels, int direction,
-  const Lanes3& placeGrid, LaneMask mask, bool isOfNodes)
-{
-  Lanes depth = {};
-  for (int i = 0; i < voxels.all.Count(); ++i)
-  {
-    const LaneMask counts = mask & LaneMask(depth < scene.sky.mostDepth);
-    if (!Any(counts))
-    {
-      break;
-    }
-    const PacketScene& other = voxels.all[i];
-    const Lanes own = SkyDepth(other, AnyVoxels(other), direction,
-      PlaceInGridOf(other.parameters, scene.parameters, placeGrid), counts, isOfNodes);
-    depth = depth + Select(counts, own, Lanes{});
-  }
-  return depth;
-}
 
 constexpr int PartsPerSegment = 4;
 

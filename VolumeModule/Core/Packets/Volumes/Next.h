@@ -6,6 +6,7 @@
 // Material/Components.glsl, Outside/Components.glsl, Classify/ComponentTables.glsl,
 // Components/Independent.glsl, Components/LuminanceOpacity.glsl and Components/Rgba.glsl.
 
+#include "Core/Packets/Interpolation/AnyVoxels.h"
 #include "Core/Packets/Loop/Segments.h"
 #include "Core/Packets/PacketLattice.h"
 #include "Core/Packets/PacketTileMarch.h"
@@ -33,8 +34,7 @@ public:
     , material(scene, this->rays)
     , lattice(this->rays, 1.0f, -0.5f, scene.volume.voxelCount)
     , box(this->lattice.At(this->rays.enter))
-    , around{ AllConstituents(piece.scene) }
-    , sky(scene, this->around)
+    , sky(scene, piece.scene)
   {
   }
   Constituent(const Constituent&) = delete;
@@ -94,20 +94,13 @@ public:
     {
       return;
     }
-    const PacketVolume& volume = this->scene.volume;
     if (this->isOfBoxes)
     {
-      ReadByType<PacketBoxes>(
-        volume, [&](const auto& boxes) { this->AddBox(boxes, mixture, parts, isIn); });
-    }
-    else if (volume.areOfSpline)
-    {
-      this->AddVoxels(PacketSpline(volume), mixture, parts, isIn);
+      this->AddBox(AnyBoxes(this->scene), mixture, parts, isIn);
     }
     else
     {
-      ReadByType<PacketVoxels>(
-        volume, [&](const auto& voxels) { this->AddVoxels(voxels, mixture, parts, isIn); });
+      this->AddVoxels(AnyVoxels(this->scene), mixture, parts, isIn);
     }
   }
 
@@ -142,15 +135,6 @@ private:
       behind = this->lattice.Behind(this->box);
     }
     return behind.t;
-  }
-
-  // The place where voxels are read.
-  Lanes3 PlaceAt(Lanes t) const { return VoxelPlace(this->scene, this->rays.At(t)); }
-
-  template <class Voxels>
-  Slope SlopeAt(const Voxels& voxels, Lanes t, LaneMask mask) const
-  {
-    return EvenSlopeAt(this->scene, voxels, this->rays.At(t), mask);
   }
 
   LaneMask Absorbs(Lanes value, LaneMask mask) const
@@ -198,18 +182,17 @@ private:
     {
       return All(1.0f);
     }
-    return this->sky.At(this->material.OutsideOf(
-                          slope, this->isOfBoxes ? this->box.cell : this->rays.At(t), this->around),
-      mask);
+    return this->sky.At(
+      this->material.OutsideOf(slope, this->isOfBoxes ? this->box.cell : this->rays.At(t)), mask);
   }
 
   // A box has the same properties in all parts.
-  template <class Boxes>
   void AddBox(
-    const Boxes& boxes, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
+    const AnyBoxes& boxes, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
   {
-    const auto valueOf = [&](const Boxes& component) { return component.ValueOf(this->box.cell); };
-    const auto gradientOf = [&](const Boxes& component)
+    const auto valueOf = [&](const AnyBoxes& component)
+    { return component.ValueOf(this->box.cell); };
+    const auto gradientOf = [&](const AnyBoxes& component)
     { return component.GradientOf(this->box.cell); };
     const Lanes value = valueOf(boxes);
     const LaneMask absorbs = this->Absorbs(value, mask);
@@ -251,8 +234,8 @@ private:
     }
   }
 
-  template <class Voxels>
-  void AddVoxels(const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
+  void AddVoxels(
+    const AnyVoxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
   {
     if (this->scene.colors.count > 0)
     {
@@ -263,13 +246,11 @@ private:
                     : this->AddSurfaces(voxels, mixture, parts, mask);
   }
 
-  template <class Voxels>
   void AddValues(
-    const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
+    const AnyVoxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
   {
     Lanes values[PartsPerSegment];
-    ReadValues(
-      voxels, [&](Lanes t) { return this->PlaceAt(t); }, parts.firstMiddle, parts.partMm, values);
+    ReadValues(voxels, this->rays, parts.firstMiddle, parts.partMm, values);
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       const LaneMask absorbs = this->Absorbs(values[part], mask);
@@ -281,18 +262,17 @@ private:
     }
   }
 
-  template <class Voxels>
   void AddSurfaces(
-    const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
+    const AnyVoxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask)
   {
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       const Lanes t = parts.MiddleOf(part);
-      if (!this->isSeen && !Any(this->Absorbs(voxels.ValueAt(this->PlaceAt(t)), mask)))
+      if (!this->isSeen && !Any(this->Absorbs(voxels.ValueAt(this->rays.At(t)), mask)))
       {
         continue;
       }
-      const Slope slope = this->SlopeAt(voxels, t, mask);
+      const Slope slope = voxels.SlopeAt(this->rays.At(t), mask);
       const LaneMask absorbs = this->Absorbs(slope.value, mask);
       this->isSeen = Any(absorbs);
       if (this->isSeen)
@@ -308,18 +288,17 @@ private:
       this->material.SurfaceOf(slope.gradient), this->OpenAt(slope, t, absorbs), t, absorbs);
   }
 
-  template <class Voxels>
   void AddColors(
-    const Voxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
+    const AnyVoxels& voxels, MixedSegment& mixture, const PartLanes& parts, LaneMask mask) const
   {
     for (int part = 0; part < PartsPerSegment; ++part)
     {
       const Lanes t = parts.MiddleOf(part);
-      const Lanes3 place = this->PlaceAt(t);
+      const Lanes3 place = this->rays.At(t);
       this->AddColored(
         voxels, mixture.Part(part), t, mask,
-        [&](const Voxels& component) { return component.ValueAt(place); },
-        [&](const Voxels& component) { return this->SlopeAt(component, t, mask).gradient; });
+        [&](const AnyVoxels& component) { return component.ValueAt(place); },
+        [&](const AnyVoxels& component) { return component.SlopeAt(place, mask).gradient; });
     }
   }
 
@@ -350,9 +329,7 @@ private:
   template <class Voxels>
   Voxels ColorVoxels(int component) const
   {
-    PacketVolume volume = this->scene.volume;
-    volume.voxels = this->scene.colors.voxels[component];
-    return Voxels(volume);
+    return Voxels(this->scene, this->scene.colors.voxels[component]);
   }
 
   template <class Voxels, class ValueOf>
@@ -380,9 +357,8 @@ private:
   PacketMaterial material;
   PacketLattice lattice; ///< lattice of boxes
   LatticePlace box;      ///< the one that contains the segment
-  VoxelsAmongOthers around;
-  mutable OpenSky<VoxelsAmongOthers> sky; ///< follows the places along the rays
-  bool isSeen = false; ///< the last sample: the next is then read with its gradient at once
+  mutable OpenSky sky;   ///< follows the places along the rays
+  bool isSeen = false;   ///< the last sample: the next is then read with its gradient at once
 };
 
 }
