@@ -1,8 +1,8 @@
 // Functions of lanes against double precision, with the baseline's instructions.
 
-#include "Core/Packets/Interpolation/Linear.h"
 #include "Core/Packets/Lanes.h"
 #include "Core/Packets/ShaderMath.h"
+#include "Core/Packets/Voxels.h"
 
 #include <gtest/gtest.h>
 

@@ -103,7 +103,7 @@ Note LongShadowSteps(const PlannedImage& image)
 
 // A shader asks for light in the middle of a sample. Where light and sight end in front of that,
 // the sample is black, whatever the sample distance is; so are voxels without interpolation, which
-// have one sample. Packets divide such samples (Core/Packets/Reach/AbsorbingPieces.h).
+// have one sample. Packets divide such samples (Core/Packets/GatheredLight.h).
 bool DarkensDenseMatter(const VolumeMarch& march, VolumeResources& volume)
 {
   // Steps can be as short as 1/128 of a voxel, and then have an optical depth of a quarter.

@@ -4,12 +4,8 @@
 #include "Core/Geometry/LightCone.h"
 #include "Core/Geometry/ScalarGrid.h"
 #include "Core/Look/HeadLightShading.h"
-<<<<<<< HEAD:App/Scene/Reference/ReferenceRequest.cxx
 #include "Core/Reference/PathTracer.h"
-#include "Frame/GrayRange.h"
-=======
 #include "Frame/FiniteRange.h"
->>>>>>> c23b09f3 (Merge the small files of Frame, March and Resources):App/Scene/ReferenceRequest.cxx
 #include "Frame/PropertyTransferFunction.h"
 #include "Scene/Looks/LookRegions.h"
 #include "Scene/Looks/VolumeProperty.h"

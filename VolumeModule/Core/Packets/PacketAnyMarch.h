@@ -3,11 +3,10 @@
 
 // The march through anything: volumes of any kind, with labels and dimmed light, and mixtures.
 
-#include "Core/Packets/Interpolation/AnyVoxels.h"
-#include "Core/Packets/March/Several.h"
+#include "Core/Packets/AnyVoxels.h"
+#include "Core/Packets/DimmedMaterial.h"
+#include "Core/Packets/Mixture.h"
 #include "Core/Packets/PacketVolumeMarch.h"
-#include "Core/Packets/Reach/DimmedMaterial.h"
-#include "Core/Packets/Reach/LightOnPlaces.h"
 
 namespace varimarch
 {

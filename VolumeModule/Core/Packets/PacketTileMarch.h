@@ -2,17 +2,16 @@
 #define Varimarch_Core_Packets_PacketTileMarch_h
 
 // The packets of a tile, one by one, from their rays to their pixels, whatever they march through.
+// Twin of FirstOpacity.glsl.
 
-#include "Core/Packets/Crop/Regions.h"
-#include "Core/Packets/FirstOpacity.h"
-#include "Core/Packets/Gaps/Cells.h"
-#include "Core/Packets/Levels/Blocks.h"
-#include "Core/Packets/March/Extreme.h"
-#include "Core/Packets/March/Projection.h"
-#include "Core/Packets/Mask/Voxels.h"
-#include "Core/Packets/PacketPieces.h"
-#include "Core/Packets/PacketRays.h"
+#include "Core/Packets/Cuts.h"
+#include "Core/Packets/Looks.h"
+#include "Core/Packets/PacketScene.h"
 #include "Core/Packets/PacketTile.h"
+#include "Core/Packets/Projections.h"
+#include "Core/Packets/Rays.h"
+#include "Core/Packets/ShaderMath.h"
+#include "Core/Packets/Walk.h"
 
 #include <cstddef>
 
@@ -21,6 +20,77 @@ namespace varimarch
 
 namespace
 {
+
+/// A march in pieces. The piece in which a ray reaches the opacity is halved until the opacity can
+/// be taken as linear.
+template <class March>
+class OpacityLocation
+{
+public:
+  /// @param march  (piece of the rays, sum before it) -> the sum behind it
+  OpacityLocation(const PacketScene& scene, const PacketRays& rays, const PacketWalk& walk,
+    float opacity, March march)
+    : scene(scene)
+    , rays(rays)
+    , walk(walk)
+    , opacity(opacity)
+    , march(march)
+    , t(rays.enter)
+    , end(rays.exit)
+  {
+  }
+
+  /// @return t [mm]; Never for rays that do not reach the opacity
+  Lanes Find()
+  {
+    const Lanes shortestMm = ShortestPiece / Length(this->rays.directionGrid);
+    LaneMask going = LaneMask(this->t < this->end);
+    for (int index = 0; index < this->scene.rays.mostSegments && Any(going); ++index)
+    {
+      this->MarchPiece(index, going);
+      const Lanes shortest = Select(LaneMask(this->endOpacity > 0.0f), shortestMm, Lanes{});
+      going &= LaneMask(this->end - this->t > shortest);
+    }
+    const Lanes begun = 1.0f - this->sum.transmittance;
+    const Lanes along = (this->opacity - begun) / Max(this->endOpacity - begun, All(1e-30f));
+    return Select(LaneMask(this->endOpacity > 0.0f),
+      Mix(this->t, this->end, Clamp(along, Lanes{}, All(1.0f))), All(Never));
+  }
+
+private:
+  static constexpr float StepsPerPiece = 8.0f;
+  static constexpr float ShortestPiece = 0.25f;
+
+  void MarchPiece(int index, LaneMask mask)
+  {
+    const LaneMask isHalf = LaneMask(this->endOpacity > 0.0f);
+    const SegmentLanes segment = this->walk.NextSegment(this->t, AllInt(index),
+      StepsPerPiece * this->scene.rays.stepMm, this->sum.opticalDepth, mask & ~isHalf);
+    const Lanes begin = Select(isHalf, this->t, segment.enter);
+    PacketRays piece = this->rays;
+    piece.enter = this->t;
+    piece.exit = Select(isHalf, 0.5f * (this->t + this->end), Min(segment.exit, this->rays.exit));
+    piece.exit = Select(mask, piece.exit, this->t);
+    const PacketSum next = this->march(piece, this->sum);
+    const Lanes reached = 1.0f - next.transmittance;
+    const LaneMask isBefore = LaneMask(reached < this->opacity) | LaneMask(begin >= piece.exit);
+    const LaneMask isFound = mask & ~isBefore;
+    this->sum = Select(mask & isBefore, next, this->sum);
+    this->end = Select(isFound, piece.exit, this->end);
+    this->endOpacity = Select(isFound, reached, this->endOpacity);
+    this->t = Select(mask, Select(isFound, begin, piece.exit), this->t);
+  }
+
+  const PacketScene& scene;
+  const PacketRays& rays;
+  const PacketWalk& walk;
+  float opacity;
+  March march;
+  PacketSum sum;
+  Lanes t;
+  Lanes end;
+  Lanes endOpacity = {}; ///< the opacity at `end`; 0 until a piece with enough is found
+};
 
 /// A part of the rays of a packet, which is marched as a whole.
 struct PacketPiece

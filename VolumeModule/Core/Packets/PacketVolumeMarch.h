@@ -3,22 +3,16 @@
 
 // One volume of one component along the rays of a packet: the march of each rule.
 
-#include "Core/Packets/Flattened.h"
-#include "Core/Packets/Interpolation/Linear.h"
-#include "Core/Packets/March/Extreme.h"
-#include "Core/Packets/March/Isosurfaces.h"
-#include "Core/Packets/March/MaterialMidpoint.h"
-#include "Core/Packets/March/MaterialSegments.h"
-#include "Core/Packets/March/MaterialVoxels.h"
-#include "Core/Packets/March/Midpoint.h"
-#include "Core/Packets/March/OpaqueEnd.h"
-#include "Core/Packets/March/PreIntegrated.h"
-#include "Core/Packets/March/Projection.h"
-#include "Core/Packets/March/RangeMean.h"
-#include "Core/Packets/March/Voxels.h"
-#include "Core/Packets/Material/Labelled.h"
+#include "Core/Packets/BoxMarches.h"
+#include "Core/Packets/Isosurfaces.h"
+#include "Core/Packets/Lanes.h"
+#include "Core/Packets/Materials.h"
+#include "Core/Packets/OpaqueEnd.h"
 #include "Core/Packets/PacketTile.h"
 #include "Core/Packets/PacketTileMarch.h"
+#include "Core/Packets/Projections.h"
+#include "Core/Packets/SampledMarches.h"
+#include "Core/Packets/Voxels.h"
 
 namespace varimarch
 {

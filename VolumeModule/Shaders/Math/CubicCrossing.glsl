@@ -1,6 +1,6 @@
 // Where a cubic takes a value that lies between those at the ends of a part on which it is
 // monotone: Newton's steps, and halves where these lead outside. Needs CellCubic.glsl. Its loop
-// ends for each ray by itself, so packets have it once more (Core/Packets/PacketCellCubic.h).
+// ends for each ray by itself, so packets have it once more (Core/Packets/Voxels.h).
 float CubicCrossing(vec4 cubic, float value, vec2 part)
 {
   float rises = CubicValue(cubic, part.y) < CubicValue(cubic, part.x) ? -1.0f : 1.0f;
