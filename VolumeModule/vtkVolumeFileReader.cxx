@@ -40,6 +40,11 @@ void TellTimes(const std::vector<double>& times, vtkInformation* output)
   output->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
 }
 
+bool IsFormat(int format)
+{
+  return 0 <= format && format < vtkVolumeFileReader::GetNumberOfFormats();
+}
+
 }
 
 /// The volume that was read. The image stays here only from RequestInformation to RequestData,
@@ -397,4 +402,72 @@ vtkStringArray* vtkVolumeFileReader::GetWarnings()
 const char* vtkVolumeFileReader::GetErrorMessage()
 {
   return this->ErrorMessage.c_str();
+}
+
+int vtkVolumeFileReader::GetNumberOfFormats()
+{
+  return int(varimarch::VolumeFormats().size());
+}
+
+const char* vtkVolumeFileReader::GetFormatName(int format)
+{
+  return IsFormat(format) ? varimarch::VolumeFormats()[format].name : nullptr;
+}
+
+const char* vtkVolumeFileReader::GetFormatDescription(int format)
+{
+  return IsFormat(format) ? varimarch::VolumeFormats()[format].description : nullptr;
+}
+
+std::string vtkVolumeFileReader::GetFormatExtensions(int format)
+{
+  std::string all;
+  if (!IsFormat(format))
+  {
+    return all;
+  }
+  for (const std::string& extension : varimarch::VolumeFormats()[format].extensions)
+  {
+    all += (all.empty() ? "" : " ") + extension;
+  }
+  return all;
+}
+
+const char* vtkVolumeFileReader::GetFormatOfFile(const char* path)
+{
+  const varimarch::DecoderSession session;
+  const auto* format = path ? varimarch::FormatIfReadable(path) : nullptr;
+  return format ? format->name : nullptr;
+}
+
+bool vtkVolumeFileReader::CanReadFile(const char* path)
+{
+  const varimarch::DecoderSession session;
+  return path && varimarch::LooksReadable(path);
+}
+
+void vtkVolumeFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+  os << indent << "RawDimensions: " << this->RawDimensions[0] << ' ' << this->RawDimensions[1]
+     << ' ' << this->RawDimensions[2] << '\n';
+  os << indent << "RawScalarType: " << vtkImageScalarTypeNameMacro(this->RawScalarType) << '\n';
+  os << indent << "RawNumberOfComponents: " << this->RawNumberOfComponents << '\n';
+  os << indent << "RawSpacing: " << this->RawSpacing[0] << ' ' << this->RawSpacing[1] << ' '
+     << this->RawSpacing[2] << '\n';
+  os << indent << "RawHeaderBytes: " << this->RawHeaderBytes << '\n';
+  os << indent << "RawBigEndian: " << this->RawBigEndian << '\n';
+  os << indent << "DICOMSeriesUID: " << this->DICOMSeriesUID << '\n';
+  os << indent << "DICOMKind: " << this->DICOMKind << '\n';
+  os << indent << "RectifySlices: " << this->RectifySlices << '\n';
+  os << indent << "RectifyMisplacedSlices: " << this->RectifyMisplacedSlices << '\n';
+  os << indent << "MaximumHostMemory: " << this->MaximumHostMemory << '\n';
+  os << indent << "PreviewAllowed: " << this->PreviewAllowed << '\n';
+  os << indent << "ResolutionLevel: " << this->ResolutionLevel << '\n';
+  os << indent << "Channel: " << this->Channel << '\n';
+  os << indent << "TimeIndex: " << this->TimeIndex << '\n';
+  os << indent << "FilesAreTimes: " << this->FilesAreTimes << '\n';
+  os << indent << "LongestSilence: " << this->LongestSilence << '\n';
+  os << indent << "ErrorMessage: " << this->ErrorMessage << '\n';
 }

@@ -1,7 +1,6 @@
 #include "Frame/VoxelsOnDisk.h"
 
 #include "Readers/MappedMemory.h"
-#include "Readers/MappedScalars.h"
 
 #include "vtkDataArray.h"
 

@@ -5,7 +5,6 @@
 #include "Core/Look/OpticalTable.h"
 #include "Core/Packets/PacketScene.h"
 #include "Readers/MappedMemory.h"
-#include "Readers/MappedScalars.h"
 #include "Readers/VoxelLayout.h"
 #include "Resources/MaterialTables.h"
 #include "Resources/ValueFocus.h"

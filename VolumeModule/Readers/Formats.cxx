@@ -6,7 +6,7 @@
 #include "Readers/HeaderText.h"
 #include "Readers/ImageFacts.h"
 #include "Readers/Magnitude.h"
-#include "Readers/Pyramids/Hdf5Path.h"
+#include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Rectify.h"
 #include "Readers/Signatures.h"
 #include "Readers/Times.h"

@@ -4,7 +4,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 
@@ -35,6 +37,13 @@ ImageGeometry InLps(const ImageGeometry& geometry, const glm::dvec3& signs, doub
 /// @param path  path for the error message
 /// @throws std::runtime_error if a number is not finite, or the axes are linearly dependent
 void PlaceImage(const std::string& path, const ImageGeometry& geometry, vtkImageData* image);
+
+/// Geometry of a stack of pictures: x runs to the right of the first, y down, z through the stack.
+/// Adds warnings about what the files do not say.
+/// @param spacingMm  distances of voxels along x, y and z; 0 if unknown
+/// @param orientation  TIFF's tag Orientation, 1 to 8: where the first row and column are
+ImageGeometry StackGeometry(
+  const std::array<double, 3>& spacingMm, int orientation, std::vector<std::string>& warnings);
 
 }
 

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Readers_KeptInput_h
 #define Varimarch_Readers_KeptInput_h
 
+#include "Readers/ByteStream.h"
 #include "Readers/Dicom/DicomSeries.h"
-#include "Readers/KeptStream.h"
 #include "Readers/Unpacked.h"
 
 #include <array>

@@ -3,6 +3,8 @@
 #include "Core/Blocks/ReadingGate.h"
 #include "Readers/PageMap.h"
 
+#include <vtkDataArray.h>
+
 #include <pthread.h>
 
 #include <algorithm>
@@ -260,6 +262,17 @@ void ReleasePaged(void* bytes)
 std::shared_ptr<PagedVoxels> PagedVoxelsAt(const void* address)
 {
   return All().At(address);
+}
+
+std::shared_ptr<PagedVoxels> PagedVoxelsOf(vtkDataArray* scalars)
+{
+  return PagedVoxelsAt(scalars->GetVoidPointer(0));
+}
+
+std::shared_ptr<const VolumeSummary> SummaryOf(vtkDataArray* scalars)
+{
+  const auto voxels = PagedVoxelsOf(scalars);
+  return voxels ? voxels->Summary(scalars->GetMTime()) : nullptr;
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef Varimarch_Readers_MappedMemory_h
 #define Varimarch_Readers_MappedMemory_h
 
+#include "Core/Fields/VolumeSummary.h"
 #include "Readers/PagedVoxels.h"
 
 #include <cstdint>
@@ -25,6 +26,19 @@ void SetMostBytes(const PagedVoxels& voxels, std::uint64_t mostBytes);
 std::uint64_t MostBytesOf(const PagedVoxels& voxels);
 
 void ReleasePaged(void* bytes);
+
+}
+
+class vtkDataArray;
+
+namespace varimarch
+{
+
+/// The paged voxels that are these scalars; null for scalars in memory.
+std::shared_ptr<PagedVoxels> PagedVoxelsOf(vtkDataArray* scalars);
+
+/// The summary of scalars that stayed on disk; null for others, and once they are modified.
+std::shared_ptr<const VolumeSummary> SummaryOf(vtkDataArray* scalars);
 
 }
 

@@ -1,16 +1,48 @@
 #ifndef Varimarch_Readers_NrrdAxes_h
 #define Varimarch_Readers_NrrdAxes_h
 
-#include "Readers/NrrdHeader.h"
+#include "Readers/HeaderText.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
 namespace varimarch
 {
+
+/// The fields of an NRRD header. Keys are lower case without spaces ("spacedirections").
+struct NrrdHeader
+{
+  std::string path;
+  HeaderFields fields;
+  std::map<std::string, std::string> pairs; ///< the lines "key:=value", which programs define
+  std::vector<std::string> listedFiles;     ///< the lines after "data file: LIST"
+  std::uint64_t end = 0;                    ///< file offset of the first byte after the header
+};
+
+/// @throws std::runtime_error if the file is not an NRRD file, or its header is incomplete
+NrrdHeader ReadNrrdHeader(const std::string& path);
+
+/// The parts of a field's value: words, vectors "(x, y, z)" and quoted strings.
+std::vector<std::string> NrrdParts(const std::string& value);
+
+/// The parts of the first of these fields that exists, one for each axis; empty if there is none.
+/// @throws std::runtime_error for another number of parts
+std::vector<std::string> NrrdPartsPerAxis(
+  const NrrdHeader& header, const std::vector<std::string>& keys, std::size_t axisCount);
+
+/// The numbers of a vector such as "(1,0,0)"; empty for "none" and for vectors of NaN, which teem
+/// writes for axes without direction.
+/// @param what  description of the vector for the error message
+/// @throws std::runtime_error for any other text
+std::vector<double> NrrdVector(
+  const NrrdHeader& header, const std::string& what, const std::string& text);
+
+/// The text without spaces, since NRRD allows both "data file" and "datafile".
+std::string WithoutBlanks(std::string text);
 
 /// The role of each axis of an NRRD file.
 struct NrrdAxes

@@ -2,7 +2,7 @@
 #define Varimarch_Readers_PagedPyramid_h
 
 #include "Core/Fields/VolumeSummary.h"
-#include "Readers/Decoder/DecodedLevel.h"
+#include "Readers/Decoder/DecodedPyramid.h"
 #include "Readers/PagedVoxels.h"
 #include "Readers/SummaryFile.h"
 

@@ -1,29 +1,291 @@
 // NIfTI-1, NIfTI-2 and Analyze 7.5: one file (.nii), or a header (.hdr) with the voxels in a second
 // file (.img), optionally compressed. See https://nifti.nimh.nih.gov/nifti-1 and /nifti-2.
+#include "Readers/ByteStream.h"
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/ImageGeometry.h"
 #include "Readers/KeptInput.h"
 #include "Readers/Magnitude.h"
-#include "Readers/NiftiGeometry.h"
 #include "Readers/NiftiHeader.h"
 #include "Readers/NiftiLayout.h"
 #include "Readers/NumberText.h"
 #include "Readers/Rescale.h"
 #include "Readers/Times.h"
+#include "Readers/VolumeFile.h"
 #include "Readers/VoxelFile.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace varimarch
 {
 namespace
 {
+
+/// The head of a variable in a MATLAB file of version 4 (MAT-File Format, "Level 4").
+struct VariableHead
+{
+  std::int32_t type; ///< 0: little-endian doubles, column by column
+  std::int32_t rows;
+  std::int32_t columns;
+  std::int32_t isComplex;
+  std::int32_t nameBytes; ///< with the final zero
+};
+
+struct Variable
+{
+  std::string name;
+  std::array<double, 16> numbers; ///< a matrix of 4 x 4, column by column
+};
+
+/// The next variable, which must be a real matrix of 4 x 4; nothing for any other.
+std::optional<Variable> NextVariable(ByteStream& stream)
+{
+  VariableHead head = {};
+  const bool isMatrix = stream.Read(&head, sizeof(head)) == sizeof(head) && head.type == 0 &&
+    head.rows == 4 && head.columns == 4 && head.isComplex == 0 && head.nameBytes > 0 &&
+    head.nameBytes < 64;
+  if (!isMatrix)
+  {
+    return std::nullopt;
+  }
+  Variable variable;
+  variable.name.resize(std::size_t(head.nameBytes));
+  stream.Read(variable.name.data(), variable.name.size());
+  variable.name.pop_back();
+  const std::size_t byteCount = sizeof(variable.numbers);
+  return stream.Read(variable.numbers.data(), byteCount) == byteCount ? std::optional(variable)
+                                                                      : std::nullopt;
+}
+
+ImageGeometry GeometryOf(const Variable& variable)
+{
+  const auto at = [&](int row, int column)
+  { return variable.numbers[std::size_t(4 * column + row)]; };
+  // "mat" has all in it, "M" leaves out that the first axis points to the patient's left.
+  const glm::dvec3 signs(variable.name == "M" ? -1.0 : 1.0, 1.0, 1.0);
+  ImageGeometry geometry;
+  for (int row = 0; row < 3; ++row)
+  {
+    geometry.originMm[row] = at(row, 3);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      geometry.axesMm[axis][row] = at(row, axis);
+      geometry.originMm[row] += at(row, axis);
+    }
+  }
+  return InLps(geometry, signs, 1.0);
+}
+
+/// The geometry in RAS [mm] of an Analyze header, from the file .mat that SPM99 and SPM2 write
+/// beside it: a MATLAB file of version 4 with a matrix "mat" or "M" that maps voxels, counted from
+/// 1, to mm. Nothing if there is no such file.
+/// @param warnings  receives a sentence about a file that has no such matrix
+std::optional<ImageGeometry> SpmMatrixBeside(
+  const std::string& headerPath, std::vector<std::string>& warnings)
+{
+  const std::filesystem::path path = std::filesystem::path(headerPath).replace_extension(".mat");
+  if (!std::filesystem::is_regular_file(path))
+  {
+    return std::nullopt;
+  }
+  const auto stream = OpenStream(path.string(), Compression::None);
+  std::optional<ImageGeometry> geometry;
+  for (auto variable = NextVariable(*stream); variable; variable = NextVariable(*stream))
+  {
+    const bool isBest = variable->name == "mat";
+    if (isBest || (variable->name == "M" && !geometry))
+    {
+      geometry = GeometryOf(*variable);
+    }
+    if (isBest)
+    {
+      break;
+    }
+  }
+  if (!geometry)
+  {
+    warnings.push_back("The file " + path.filename().string() +
+      " beside the header has no matrix in the way of SPM99, and was not used.");
+  }
+  return geometry;
+}
+
+double MmPerUnit(int units)
+{
+  constexpr int metre = 1;
+  constexpr int micrometre = 3;
+  const int lengthUnit = units & 7;
+  return lengthUnit == metre ? 1000.0 : lengthUnit == micrometre ? 0.001 : 1.0;
+}
+
+/// Geometry in RAS from the affine form, the header's "method 3".
+ImageGeometry AffineGeometry(const NiftiHeader& header)
+{
+  ImageGeometry geometry;
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      geometry.axesMm[axis][row] = header.affine[row][axis];
+    }
+    geometry.originMm[row] = header.affine[row][3];
+  }
+  return geometry;
+}
+
+/// Size of a voxel along an axis. The standard wants it positive; like nibabel, this takes 0 for 1.
+double VoxelSize(const NiftiHeader& header, int axis)
+{
+  const double size = std::abs(header.pixdim[axis + 1]);
+  return size > 0.0 && std::isfinite(size) ? size : 1.0;
+}
+
+/// Geometry in RAS from the quaternion form, the header's "method 2".
+ImageGeometry QuaternionGeometry(const NiftiHeader& header)
+{
+  const double b = header.quaternion[0];
+  const double c = header.quaternion[1];
+  const double d = header.quaternion[2];
+  const double a = std::sqrt(std::max(0.0, 1.0 - (b * b + c * c + d * d)));
+  ImageGeometry geometry;
+  geometry.axesMm = glm::mat3_cast(glm::normalize(glm::dquat(a, b, c, d)));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.axesMm[axis] *= VoxelSize(header, axis);
+  }
+  geometry.axesMm[2] *= header.pixdim[0] < 0 ? -1.0 : 1.0;
+  geometry.originMm = { header.quaternionOffset[0], header.quaternionOffset[1],
+    header.quaternionOffset[2] };
+  return geometry;
+}
+
+/// True if the numbers are finite and the axes span space.
+bool IsValid(const ImageGeometry& geometry)
+{
+  const double volume = std::abs(glm::determinant(geometry.axesMm));
+  const glm::dvec3 origin = geometry.originMm;
+  return std::isnormal(volume) && std::isfinite(origin.x + origin.y + origin.z);
+}
+
+/// Replaces the step of an axis with a single voxel, which has no neighbours, if it is 0.
+ImageGeometry WithAllAxes(const NiftiHeader& header, ImageGeometry geometry)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    glm::dvec3& step = geometry.axesMm[axis];
+    const bool isSingle = header.dim[0] <= axis || header.dim[axis + 1] == 1;
+    if (isSingle && step == glm::dvec3(0.0))
+    {
+      const glm::dvec3 normal =
+        glm::cross(geometry.axesMm[(axis + 1) % 3], geometry.axesMm[(axis + 2) % 3]);
+      step = normal == glm::dvec3(0.0) ? normal : glm::normalize(normal) * VoxelSize(header, axis);
+    }
+  }
+  return geometry;
+}
+
+/// The side that each axis faces most: 1, 2 or 3 for x, y or z, negative for the opposite.
+std::array<int, 3> Sides(const ImageGeometry& geometry)
+{
+  std::array<int, 3> sides = {};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const glm::dvec3 size = glm::abs(geometry.axesMm[axis]);
+    const int most = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    sides[std::size_t(axis)] = geometry.axesMm[axis][most] < 0.0 ? -most - 1 : most + 1;
+  }
+  return sides;
+}
+
+/// Geometry in RAS from the header's forms; nothing if it has no valid one.
+std::optional<ImageGeometry> GeometryOfForms(
+  const NiftiHeader& header, std::vector<std::string>& warnings)
+{
+  const ImageGeometry affine = WithAllAxes(header, AffineGeometry(header));
+  const ImageGeometry quaternion = QuaternionGeometry(header);
+  const bool hasAffine = header.affineCode > 0 && IsValid(affine);
+  const bool hasQuaternion = header.quaternionCode > 0 && IsValid(quaternion);
+  if (header.affineCode > 0 && !hasAffine)
+  {
+    warnings.push_back(std::string("The header's sform is not a valid matrix; ") +
+      (hasQuaternion ? "the qform was used." : "only the size of a voxel was used."));
+  }
+  if (hasAffine && hasQuaternion && Sides(affine) != Sides(quaternion))
+  {
+    warnings.push_back("The header's sform and qform turn the volume to different sides. The sform "
+                       "was used; other programs may show the volume mirrored.");
+  }
+  return hasAffine  ? std::optional(affine)
+    : hasQuaternion ? std::optional(quaternion)
+                    : std::nullopt;
+}
+
+/// Geometry in RAS from SPM's origin, which counts voxels from 1. In Analyze files of SPM the first
+/// axis points to the patient's left.
+std::optional<ImageGeometry> GeometryOfSpmOrigin(const NiftiHeader& header)
+{
+  const double* const origin = header.spmOrigin;
+  bool isStated = origin[0] != 0.0 || origin[1] != 0.0 || origin[2] != 0.0;
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Like nibabel, this takes an origin far outside for other data.
+    const double voxelCount = double(header.dim[axis + 1]);
+    isStated = isStated && origin[axis] > -voxelCount && origin[axis] < 2.0 * voxelCount;
+    geometry.axesMm[axis][axis] = VoxelSize(header, axis) * (axis == 0 ? -1.0 : 1.0);
+    geometry.originMm[axis] = -geometry.axesMm[axis][axis] * (origin[axis] - 1.0);
+  }
+  return isStated ? std::optional(geometry) : std::nullopt;
+}
+
+/// The geometry in LPS [mm]: the header's affine form (sform), or else its quaternion form (qform),
+/// or else only the size of a voxel. For Analyze it is that of SPM, if the header or a file .mat
+/// states one.
+/// @param path  path of the header
+/// @param warnings  receives sentences about forms that are invalid or contradict each other
+ImageGeometry GeometryOf(
+  const std::string& path, const NiftiHeader& header, std::vector<std::string>& warnings)
+{
+  std::optional<ImageGeometry> geometry = header.kind == NiftiKind::Analyze
+    ? SpmMatrixBeside(path, warnings)
+    : GeometryOfForms(header, warnings);
+  if (!geometry && header.kind == NiftiKind::Analyze)
+  {
+    geometry = GeometryOfSpmOrigin(header);
+  }
+  const int usedAxes = int(std::min<std::int64_t>(3, header.dim[0]));
+  if (std::any_of(header.pixdim + 1, header.pixdim + 1 + usedAxes,
+        [](double size) { return !(std::abs(size) > 0.0); }))
+  {
+    warnings.push_back("The header does not say how large a voxel is along each axis; 1 mm was "
+                       "assumed where it is missing.");
+  }
+  if (geometry)
+  {
+    return InLps(*geometry, LpsFromRas, MmPerUnit(header.units));
+  }
+  ImageGeometry sizes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    sizes.axesMm[axis][axis] = VoxelSize(header, axis);
+  }
+  warnings.push_back(UnknownSides);
+  return InLps(sizes, glm::dvec3(1.0), MmPerUnit(header.units));
+}
 
 struct NiftiType
 {

@@ -1,15 +1,18 @@
-// VTK's XML image data. VTK's own reader preserves the geometry, so it is used; its messages are
+// VTK's XML image data, and parallel VTK image data: an XML file that names the files of the
+// pieces, each a VTI file. VTK's own reader preserves the geometry, so it is used; its messages are
 // collected.
 #include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageFacts.h"
+#include "Readers/ImageGeometry.h"
+#include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
-#include "Readers/VtkImage.h"
 #include "Readers/VtkMessages.h"
 #include "Readers/VtkProgress.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataArraySelection.h>
 #include <vtkDataCompressor.h>
@@ -17,21 +20,132 @@
 #include <vtkDataSetAttributes.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
 
 namespace varimarch
 {
 namespace
 {
+
+/// An array of VTK image data, with values at the points or in the cells.
+struct ImageArray
+{
+  std::string name;
+  int scalarType;
+  int componentCount;
+  bool isActive; ///< the file names it as the scalars
+  bool isInCells;
+};
+
+bool IsNumeric(const ImageArray& array)
+{
+  return IsNumberType(array.scalarType) && !array.name.empty() &&
+    array.name != vtkDataSetAttributes::GhostArrayName();
+}
+
+ImageGeometry GeometryOf(vtkImageData* image)
+{
+  const int* extent = image->GetExtent();
+  const glm::dvec3 firstIndex(extent[0], extent[2], extent[4]);
+  const glm::dmat3 direction =
+    glm::transpose(glm::make_mat3(image->GetDirectionMatrix()->GetData()));
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.axesMm[axis] = direction[axis] * image->GetSpacing()[axis];
+  }
+  // The file's extent may begin anywhere; the output's begins at 0.
+  geometry.originMm = glm::make_vec3(image->GetOrigin()) + geometry.axesMm * firstIndex;
+  return geometry;
+}
+
+/// The array that is shown: points before cells, the active scalars before others, at most four
+/// components before more.
+/// @throws std::runtime_error if none is numeric
+ImageArray ArrayToShow(const std::string& path, std::vector<ImageArray> arrays)
+{
+  arrays.erase(std::remove_if(
+                 arrays.begin(), arrays.end(), [](const auto& array) { return !IsNumeric(array); }),
+    arrays.end());
+  if (arrays.empty())
+  {
+    FailToRead(path, "a numeric array of point or cell data", "none");
+  }
+  const auto rank = [](const ImageArray& array)
+  { return std::tuple(array.isInCells, !array.isActive, array.componentCount > 4); };
+  return *std::min_element(arrays.begin(), arrays.end(),
+    [&](const ImageArray& a, const ImageArray& b) { return rank(a) < rank(b); });
+}
+
+/// An image whose points are voxels with the values of the array. The voxel of a cell is at the
+/// cell's centre. Null if the image lacks the array.
+vtkSmartPointer<vtkImageData> VoxelsOf(vtkImageData* image, const ImageArray& array)
+{
+  vtkDataSetAttributes* attributes = image->GetPointData();
+  if (array.isInCells)
+  {
+    attributes = image->GetCellData();
+  }
+  vtkDataArray* values = attributes->GetArray(array.name.c_str());
+  int extent[6];
+  image->GetExtent(extent);
+  glm::dvec3 firstCentre(0.0);
+  for (int axis = 0; array.isInCells && axis < 3; ++axis)
+  {
+    // A single layer of points is a single layer of flat cells.
+    const bool isThick = extent[2 * axis + 1] > extent[2 * axis];
+    extent[2 * axis + 1] -= isThick ? 1 : 0;
+    firstCentre[axis] = isThick ? 0.5 : 0.0;
+  }
+  auto voxels = vtkSmartPointer<vtkImageData>::New();
+  voxels->SetExtent(extent);
+  if (!values || values->GetNumberOfTuples() != voxels->GetNumberOfPoints())
+  {
+    return nullptr;
+  }
+  glm::dvec3 origin;
+  image->TransformContinuousIndexToPhysicalPoint(
+    firstCentre.x, firstCentre.y, firstCentre.z, &origin[0]);
+  voxels->SetOrigin(&origin[0]);
+  voxels->SetSpacing(image->GetSpacing());
+  voxels->SetDirectionMatrix(image->GetDirectionMatrix());
+  voxels->GetPointData()->SetScalars(values);
+  return voxels;
+}
+
+/// The volume of an image with voxels as points, whose first index becomes 0.
+/// @throws std::runtime_error if its geometry is not valid
+Volume VolumeOf(const std::string& path, vtkImageData* voxels)
+{
+  Volume volume;
+  volume.image = vtkSmartPointer<vtkImageData>::New();
+  volume.image->SetDimensions(voxels->GetDimensions());
+  volume.image->GetPointData()->SetScalars(voxels->GetPointData()->GetScalars());
+  PlaceImage(path, GeometryOf(voxels), volume.image);
+  return volume;
+}
 
 [[noreturn]] void FailWith(const std::string& path, const VtkMessages& messages)
 {
@@ -160,8 +274,9 @@ ImageArray ReadHeader(
   return array;
 }
 
-}
-
+/// Reads a VTI file; the result is that of VoxelsOf.
+/// @throws std::runtime_error if the file is not complete
+/// @throws ReadCancelled
 vtkSmartPointer<vtkImageData> ReadVtiFile(const std::string& path, ReadProgress& progress)
 {
   CheckIsWhole(path);
@@ -190,6 +305,8 @@ vtkSmartPointer<vtkImageData> ReadVtiFile(const std::string& path, ReadProgress&
   return voxels;
 }
 
+}
+
 Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progress)
 {
   const vtkSmartPointer<vtkImageData> voxels = ReadVtiFile(path, progress);
@@ -198,6 +315,125 @@ Volume ReadVti(const std::string& path, const ReadOptions&, ReadProgress& progre
   volume.holdsColors = HoldsColors(voxels);
   volume.channels = ChannelsIn(voxels);
   return volume;
+}
+
+namespace
+{
+
+using Extent = std::array<int, 6>;
+
+/// The names of the pieces' files, relative to the folder of the file itself.
+std::vector<std::string> PiecesOf(const std::string& path)
+{
+  VtkMessages messages;
+  vtkNew<vtkXMLDataParser> parser;
+  messages.Observe(parser);
+  parser->SetFileName(path.c_str());
+  const bool isParsed = parser->Parse() != 0;
+  vtkXMLDataElement* root = parser->GetRootElement();
+  vtkXMLDataElement* image =
+    isParsed && root ? root->FindNestedElementWithName("PImageData") : nullptr;
+  std::vector<std::string> pieces;
+  for (int i = 0; image && i < image->GetNumberOfNestedElements(); ++i)
+  {
+    const char* source = image->GetNestedElement(i)->GetAttribute("Source");
+    if (source)
+    {
+      pieces.push_back((std::filesystem::path(path).parent_path() / source).string());
+    }
+  }
+  if (pieces.empty())
+  {
+    FailToRead(path, "parallel VTK image data with pieces", messages.FirstErrorOr("none"));
+  }
+  return pieces;
+}
+
+/// The smallest box with all pieces.
+Extent CommonExtent(const std::vector<vtkSmartPointer<vtkImageData>>& pieces)
+{
+  Extent common;
+  pieces.front()->GetExtent(common.data());
+  for (vtkImageData* piece : pieces)
+  {
+    for (std::size_t side = 0; side < 6; ++side)
+    {
+      const int index = piece->GetExtent()[side];
+      common[side] = side % 2 == 0 ? std::min(common[side], index) : std::max(common[side], index);
+    }
+  }
+  return common;
+}
+
+/// Copies a piece, row by row, to its place.
+void CopyPiece(vtkImageData* piece, vtkImageData* whole)
+{
+  const int* extent = piece->GetExtent();
+  const std::size_t rowBytes = std::size_t(extent[1] - extent[0] + 1) *
+    std::size_t(piece->GetNumberOfScalarComponents()) * std::size_t(piece->GetScalarSize());
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      std::memcpy(whole->GetScalarPointer(extent[0], j, k),
+        piece->GetScalarPointer(extent[0], j, k), rowBytes);
+    }
+  }
+}
+
+/// Fails if the pieces do not fill the box, or differ in type.
+void CheckPieces(const std::string& path, const Extent& box,
+  const std::vector<vtkSmartPointer<vtkImageData>>& pieces)
+{
+  double pointCount = 0.0;
+  for (vtkImageData* piece : pieces)
+  {
+    pointCount += double(piece->GetNumberOfPoints());
+    if (piece->GetScalarType() != pieces.front()->GetScalarType() ||
+      piece->GetNumberOfScalarComponents() != pieces.front()->GetNumberOfScalarComponents())
+    {
+      FailToRead(path, "pieces of one type", "different ones");
+    }
+  }
+  const double wholeCount =
+    double(box[1] - box[0] + 1) * double(box[3] - box[2] + 1) * double(box[5] - box[4] + 1);
+  if (pointCount < wholeCount)
+  {
+    FailToRead(path, "pieces that fill a box", "gaps between them");
+  }
+}
+
+}
+
+Volume ReadPvti(const std::string& path, const ReadOptions&, ReadProgress& progress)
+{
+  const std::vector<std::string> files = PiecesOf(path);
+  std::vector<vtkSmartPointer<vtkImageData>> pieces;
+  for (std::size_t i = 0; i < files.size(); ++i)
+  {
+    ReadProgress part =
+      progress.Part(double(i) / double(files.size()), double(i + 1) / double(files.size()));
+    ReadableFileSize(files[i]);
+    pieces.push_back(ReadVtiFile(files[i], part));
+  }
+  const Extent box = CommonExtent(pieces);
+  CheckPieces(path, box, pieces);
+  vtkImageData* first = pieces.front();
+  CheckedByteCount(path,
+    { { box[1] - box[0] + 1, box[3] - box[2] + 1, box[5] - box[4] + 1 }, first->GetScalarType(),
+      first->GetNumberOfScalarComponents() });
+  vtkNew<vtkImageData> whole;
+  whole->SetExtent(const_cast<int*>(box.data()));
+  whole->SetOrigin(first->GetOrigin());
+  whole->SetSpacing(first->GetSpacing());
+  whole->SetDirectionMatrix(first->GetDirectionMatrix());
+  whole->AllocateScalars(first->GetScalarType(), first->GetNumberOfScalarComponents());
+  whole->GetPointData()->GetScalars()->SetName(first->GetPointData()->GetScalars()->GetName());
+  for (vtkImageData* piece : pieces)
+  {
+    CopyPiece(piece, whole);
+  }
+  return VolumeOf(path, whole);
 }
 
 }

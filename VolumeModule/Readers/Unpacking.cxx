@@ -1,6 +1,7 @@
 // libarchive opens archives, zlib and libarchive decompress.
 #include "Readers/Unpacking.h"
-#include "Readers/ArchiveInput.h"
+
+#include "Readers/ByteStream.h"
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Signatures.h"
@@ -10,14 +11,122 @@
 #include <archive_entry.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
+#include <new>
 
 namespace varimarch
 {
 namespace
 {
+
+struct archive;
+
+/// An archive or a compressed stream that libarchive reads. The caller enables the formats and
+/// filters that it expects, then opens it.
+class ArchiveInput
+{
+public:
+  /// @param path  path for error messages
+  explicit ArchiveInput(const std::string& path);
+  ~ArchiveInput();
+  ArchiveInput(const ArchiveInput&) = delete;
+  void operator=(const ArchiveInput&) = delete;
+
+  archive* Handle() { return this->handle; }
+
+  /// Opens the file itself, in which libarchive may jump; ZIP has its directory at the end.
+  void OpenFile();
+  /// Opens a stream of the file's bytes.
+  void OpenBytes(std::unique_ptr<ByteStream> bytes);
+
+  /// Number of the file's bytes that have been read so far.
+  std::uint64_t FileBytes();
+
+  /// Passes on the result of a call of libarchive.
+  /// @throws std::runtime_error if the call has failed
+  long Checked(long result);
+
+private:
+  static long ReadChunk(archive*, void* self, const void** chunk);
+
+  std::string path;
+  archive* handle;
+  std::unique_ptr<ByteStream> bytes;
+  std::vector<char> chunk;
+  /// An error of the stream, which must not be thrown through libarchive.
+  std::exception_ptr error;
+};
+
+constexpr std::size_t chunkBytes = 1 << 16;
+
+ArchiveInput::ArchiveInput(const std::string& path)
+  : path(path)
+  , handle(archive_read_new())
+{
+  if (!this->handle)
+  {
+    throw std::bad_alloc();
+  }
+}
+
+ArchiveInput::~ArchiveInput()
+{
+  archive_read_free(this->handle);
+}
+
+void ArchiveInput::OpenFile()
+{
+  this->Checked(archive_read_open_filename(this->handle, this->path.c_str(), chunkBytes));
+}
+
+void ArchiveInput::OpenBytes(std::unique_ptr<ByteStream> opened)
+{
+  this->bytes = std::move(opened);
+  this->chunk.resize(chunkBytes);
+  this->Checked(archive_read_open(this->handle, this, nullptr, &ArchiveInput::ReadChunk, nullptr));
+}
+
+std::uint64_t ArchiveInput::FileBytes()
+{
+  return this->bytes ? this->bytes->FileBytes()
+                     : std::uint64_t(archive_filter_bytes(this->handle, -1));
+}
+
+long ArchiveInput::Checked(long result)
+{
+  if (this->error)
+  {
+    std::rethrow_exception(this->error);
+  }
+  if (result < ARCHIVE_WARN)
+  {
+    const char* text = archive_error_string(this->handle);
+    FailToRead(this->path, "a complete archive or compressed file",
+      "the fault " + Quoted(text ? text : "unknown", 100));
+  }
+  return result;
+}
+
+long ArchiveInput::ReadChunk(archive* handle, void* self, const void** chunk)
+{
+  auto* input = static_cast<ArchiveInput*>(self);
+  *chunk = input->chunk.data();
+  try
+  {
+    return long(input->bytes->Read(input->chunk.data(), input->chunk.size()));
+  }
+  catch (const std::exception&)
+  {
+    input->error = std::current_exception();
+    archive_set_error(handle, EIO, "a read error");
+    return -1;
+  }
+}
 
 namespace fs = std::filesystem;
 
@@ -226,6 +335,56 @@ void Unpacker::CheckSpace(double byteCount) const
 UnpackedContent Unpack(const UnpackingOrder& order, ReadProgress& progress)
 {
   return Unpacker(order).Unpack(progress);
+}
+
+namespace
+{
+
+/// The compressions that libarchive detects.
+class ArchiveStream : public ByteStream
+{
+public:
+  ArchiveStream(const std::string& path, std::uint64_t offset)
+    : input(path)
+  {
+    archive* handle = this->input.Handle();
+    archive_read_support_format_raw(handle);
+    archive_read_support_filter_bzip2(handle);
+    archive_read_support_filter_xz(handle);
+    archive_read_support_filter_zstd(handle);
+    this->input.OpenBytes(OpenStream(path, Compression::None, offset));
+    archive_entry* entry = nullptr;
+    this->input.Checked(archive_read_next_header(handle, &entry));
+    if (archive_filter_code(handle, 0) == ARCHIVE_FILTER_NONE)
+    {
+      FailToRead(path, "a stream that bzip2, xz or Zstandard has compressed", "another one");
+    }
+  }
+
+  std::size_t Read(void* buffer, std::size_t count) override
+  {
+    std::size_t done = 0;
+    long got = 1;
+    while (done < count && got > 0)
+    {
+      got = this->input.Checked(
+        archive_read_data(this->input.Handle(), static_cast<char*>(buffer) + done, count - done));
+      done += std::size_t(std::max(0L, got));
+    }
+    return done;
+  }
+
+  std::uint64_t FileBytes() override { return this->input.FileBytes(); }
+
+private:
+  ArchiveInput input;
+};
+
+}
+
+std::unique_ptr<ByteStream> OpenArchiveStream(const std::string& path, std::uint64_t offset)
+{
+  return std::make_unique<ArchiveStream>(path, offset);
 }
 
 }

@@ -3,7 +3,7 @@
 #include "Core/Fields/CellField.h"
 #include "Core/Fields/EvenBricks.h"
 #include "Core/Fields/VariationField.h"
-#include "Readers/MappedScalars.h"
+#include "Readers/MappedMemory.h"
 #include "Resources/VolumeTexture.h"
 #include "VtkVersions.h"
 

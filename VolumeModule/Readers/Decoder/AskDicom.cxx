@@ -2,10 +2,7 @@
 #include "Readers/Decoder/Conversation.h"
 #include "Readers/Decoder/DicomDecoding.h"
 #include "Readers/Decoder/Fields.h"
-#include "Readers/Dicom/DicomIndex.h"
 #include "Readers/Dicom/Metadata.h"
-#include "Readers/Dicom/Record.h"
-#include "Readers/Dicom/Tags.h"
 #include "Readers/FileError.h"
 
 #include <vtkDataArray.h>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Readers_Decoder_Conversation_h
 #define Varimarch_Readers_Decoder_Conversation_h
 
-#include "Readers/Decoder/DecoderProcess.h"
+#include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Decoder/Jobs.h"
 #include "Readers/Decoder/Wire.h"
 #include "Readers/VolumeFile.h"

@@ -1,19 +1,20 @@
 #ifndef Varimarch_Readers_Decoder_DecodedPyramid_h
 #define Varimarch_Readers_Decoder_DecodedPyramid_h
 
-#include "VarimarchVolumeModule.h"
-
 #include "Readers/Pyramids/VoxelPyramid.h"
+#include "VarimarchVolumeModule.h"
 
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace varimarch
 {
 
 class Conversation;
+
 class DecoderProcess;
 
 /// A volume in levels that decoders read, one for each thread that reads at the same time. It is in
@@ -69,6 +70,40 @@ private:
 /// @throws std::runtime_error if it is such a volume and cannot be read
 VARIMARCHVOLUME_EXPORT std::unique_ptr<DecodedPyramid> OpenPyramidAt(
   const std::string& path, const ReadOptions& options, ReadProgress& progress);
+
+/// One level of a volume in levels as a source of its own, which knows the chunks that are stored.
+class DecodedLevel : public BrickSource
+{
+public:
+  /// Looks for the chunks.
+  /// @throws std::runtime_error with one sentence if they cannot be found
+  DecodedLevel(std::shared_ptr<const DecodedPyramid> pyramid, int level);
+
+  const std::vector<Level>& Levels() const override { return this->levels; }
+  VoxelType Type() const override { return this->pyramid->Type(); }
+  /// Fails too if a chunk is gone that was stored.
+  void Read(int, const Box& box, void* voxels) const override;
+
+  /// Whole chunks.
+  Box Occupied(const Box& box) const override;
+  double Fill() const override { return this->chunks.fill; }
+
+  /// The number of chunks that are not stored.
+  std::int64_t MissingChunks() const;
+
+  /// See StoredChunks.
+  const std::string& Stamp() const { return this->chunks.stamp; }
+
+private:
+  /// Calls take(index of a chunk, whether it is stored) for the chunks that a box lies in.
+  template <class Take>
+  void EachChunk(const Box& box, Take take) const;
+
+  std::shared_ptr<const DecodedPyramid> pyramid;
+  int level;
+  std::vector<Level> levels; ///< only this one
+  StoredChunks chunks;
+};
 
 }
 

@@ -4,8 +4,6 @@
 #include "Readers/Decoder/Wire.h"
 #include "Readers/Dicom/FileFrames.h"
 #include "Readers/Dicom/Metadata.h"
-#include "Readers/Dicom/Record.h"
-#include "Readers/Dicom/Tags.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Unpacking.h"
 #include "Readers/VolumeFile.h"

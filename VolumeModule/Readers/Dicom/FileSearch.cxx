@@ -1,6 +1,6 @@
 #include "Readers/Dicom/FileSearch.h"
 
-#include "Readers/Dicom/DicomIndex.h"
+#include "Readers/Dicom/Metadata.h"
 #include "Readers/HeaderText.h"
 
 #include <algorithm>

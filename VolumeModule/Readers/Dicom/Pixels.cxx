@@ -1,16 +1,19 @@
 #include "Readers/Dicom/Pixels.h"
 
 #include "Readers/Dicom/GdcmCopy.h"
-#include "Readers/Dicom/vtkCheckedDICOMReader.h"
 #include "Readers/FileError.h"
 #include "Readers/VtkMessages.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMMetaData.h>
+#include <vtkDICOMReader.h>
 #include <vtkDICOMSliceSorter.h>
 #include <vtkDICOMUtilities.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
+#include <vtkObjectFactory.h>
+
+#include <gdcmImageReader.h>
 
 #include <algorithm>
 #include <exception>
@@ -19,11 +22,53 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace varimarch
 {
 namespace
 {
+
+/// A vtkDICOMReader that fails if GDCM cannot decode compressed pixels. That of vtk-dicom 0.8.14
+/// ignores this, so that its image is black, and lets GDCM write more than its buffer holds.
+class vtkCheckedDICOMReader : public vtkDICOMReader
+{
+public:
+  static vtkCheckedDICOMReader* New();
+  vtkTypeMacro(vtkCheckedDICOMReader, vtkDICOMReader);
+
+protected:
+  bool ReadFileDelegated(
+    const char* path, int index, unsigned char* buffer, vtkIdType bufferSize) override;
+};
+
+vtkStandardNewMacro(vtkCheckedDICOMReader);
+
+bool vtkCheckedDICOMReader::ReadFileDelegated(
+  const char* path, int, unsigned char* buffer, vtkIdType bufferSize)
+{
+  gdcm::ImageReader reader;
+  reader.SetFileName(path);
+  const bool isRead = reader.Read();
+  const auto wanted = std::size_t(bufferSize);
+  const std::size_t decoded = isRead ? reader.GetImage().GetBufferLength() : 0;
+  bool isDecoded = false;
+  if (isRead && decoded == wanted)
+  {
+    isDecoded = reader.GetImage().GetBuffer(reinterpret_cast<char*>(buffer));
+  }
+  else if (decoded > wanted)
+  {
+    std::vector<char> all(decoded);
+    isDecoded = reader.GetImage().GetBuffer(all.data());
+    std::copy_n(all.begin(), bufferSize, buffer);
+  }
+  if (!isDecoded)
+  {
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
+  }
+  return isDecoded;
+}
 
 constexpr const char* RunLengthSyntax = "1.2.840.10008.1.2.5";
 

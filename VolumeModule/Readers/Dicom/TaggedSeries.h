@@ -3,7 +3,7 @@
 
 #include "VarimarchVolumeModule.h"
 
-#include "Readers/Dicom/Tags.h"
+#include "Readers/Dicom/Metadata.h"
 #include "Readers/VolumeFile.h"
 
 #include <memory>

@@ -2,11 +2,12 @@
 #define Varimarch_Readers_Pyramids_ArrayAxes_h
 
 #include "Readers/ImageGeometry.h"
-#include "Readers/Pyramids/ArraySelection.h"
 #include "Readers/Pyramids/Json.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/VolumeFile.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +15,17 @@
 
 namespace varimarch
 {
+
+/// The axes of an array in which a volume lies, and its place along the others.
+struct ArraySelection
+{
+  static constexpr std::size_t NoAxis = std::size_t(-1);
+
+  /// For each axis of the volume in memory, the fastest first, the axis of the array; NoAxis for
+  /// one that the array does not have, with a single voxel.
+  std::array<std::size_t, 3> axes;
+  std::vector<std::int64_t> start; ///< the index along each axis of the array
+};
 
 /// An axis of an array.
 struct ArrayAxis

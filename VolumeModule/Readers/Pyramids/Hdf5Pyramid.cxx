@@ -3,11 +3,8 @@
 // https://imaris.oxinst.com/support/imaris-file-format, https://imagej.net/plugins/bdv
 #include "Readers/FileError.h"
 #include "Readers/Pyramids/ArrayAxes.h"
-#include "Readers/Pyramids/BigDataViewer.h"
 #include "Readers/Pyramids/Hdf5File.h"
-#include "Readers/Pyramids/Hdf5Path.h"
-#include "Readers/Pyramids/Imaris.h"
-#include "Readers/Pyramids/PlainDataSet.h"
+#include "Readers/Pyramids/Hdf5Layouts.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelLayout.h"

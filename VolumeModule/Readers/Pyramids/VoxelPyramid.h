@@ -85,6 +85,7 @@ struct PyramidOrder
 
 /// Voxels of a box along each axis, and of all of it.
 std::array<std::int64_t, 3> SizeOf(const BrickSource::Box& box);
+
 std::int64_t VoxelCount(const BrickSource::Box& box);
 
 /// True if a box has voxels, all of which lie in the level.
@@ -114,7 +115,18 @@ std::uint64_t CheckedChunkBytes(
 /// Open a volume in levels of each format.
 /// @throws std::runtime_error with one sentence if it is none that can be read
 std::unique_ptr<VoxelPyramid> OpenZarr(const std::string& path, const ReadOptions& options);
+
 std::unique_ptr<VoxelPyramid> OpenHdf5(const std::string& path, const ReadOptions& options);
+
+/// A path such as "brain.h5/volumes/raw", as ilastik writes them: a file, and a data set in it.
+struct Hdf5Path
+{
+  std::string file;
+  std::string inner; ///< with a slash at its beginning; empty if the path names no data set
+};
+
+/// Splits a path behind the first part that is a regular file. A path without one stays whole.
+Hdf5Path Hdf5PathOf(const std::string& path);
 
 }
 

@@ -2,7 +2,7 @@
 #define Varimarch_Readers_Pyramids_ZarrArray_h
 
 #include "Core/Blocks/BrickSource.h"
-#include "Readers/Pyramids/ArraySelection.h"
+#include "Readers/Pyramids/ArrayAxes.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Pyramids/ZarrHeader.h"
 
