@@ -407,7 +407,7 @@ public:
   vtkGetMacro(LongestPartSeconds, double);
   ///@}
 
-  // What a vtkVolumeProperty does not describe: missing values, light that the volume dims, masks.
+  // Missing values, light that the volume dims, and masks, which a vtkVolumeProperty lacks.
 
   ///@{
   /**

@@ -3,8 +3,8 @@
 #include "Fuzz/FuzzTarget.h"
 #include "Shader/ShaderValidation.h"
 
-#include "Core/Recipe/FlatParameters.h"
 #include "Core/Recipe/PassRecipe.h"
+#include "Core/Recipe/ShaderAssembly.h"
 #include "Core/Recipe/ShaderRecipe.h"
 
 #include <algorithm>

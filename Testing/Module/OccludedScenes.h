@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_OccludedScenes_h
 #define Varimarch_Testing_OccludedScenes_h
 
-#include "Core/Reference/SkyVisibility.h"
+#include "Core/Reference/LightTransmittance.h"
 #include "Module/LabelledTorso.h"
 #include "Module/ReferenceMaterials.h"
 #include "Module/SlabScene.h"

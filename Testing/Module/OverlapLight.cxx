@@ -2,7 +2,7 @@
 
 #include "Core/Geometry/LightCone.h"
 #include "Core/Geometry/SphereQuadrature.h"
-#include "Core/Reference/SkyVisibility.h"
+#include "Core/Reference/LightTransmittance.h"
 #include "Module/UsualSettings.h"
 
 #include <vtkActor.h>

@@ -1,6 +1,6 @@
 #include "Module/OverlapScene.h"
 
-#include "Core/Reference/ReferenceImage.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 #include "Scene/Images/FloatCapture.h"
 
 #include <vtkObjectFactory.h>

@@ -5,7 +5,6 @@
 #include "Core/Geometry/LightCone.h"
 #include "Core/Reference/LightTransmittance.h"
 #include "Core/Reference/PathTracer.h"
-#include "Core/Reference/SkyVisibility.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Stages/CutRays.h"
 

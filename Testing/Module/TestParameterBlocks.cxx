@@ -1,7 +1,7 @@
 // C++ and OpenGL agree on the layout of the parameters of a march.
 
 #include "Core/Parameters/MarchParameters.h"
-#include "Core/Recipe/ParameterBlock.h"
+#include "Core/Recipe/ShaderAssembly.h"
 #include "VtkVersions.h"
 
 #include <vtkHeadlessRenderWindow.h>

@@ -27,7 +27,7 @@ MOST_LEVELS_OF_CONTROL_FLOW = 3
 MOST_DEEPER_STATEMENTS = 37
 LONGEST_HEADER_OF_ONE_FILE = 79
 # Headers of today that belong into the one file that includes them. The number may only fall.
-MOST_SMALL_HEADERS_OF_ONE_FILE = 201
+MOST_SMALL_HEADERS_OF_ONE_FILE = 167
 LONGEST_SUBJECT = 72
 MOST_FILES_WITHOUT_BODY = 5
 CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}

@@ -1,8 +1,8 @@
 #include "ShaderValidation.h"
 #include "Support/EveryRecipe.h"
 
-#include "Core/Recipe/FlatParameters.h"
 #include "Core/Recipe/PassRecipe.h"
+#include "Core/Recipe/ShaderAssembly.h"
 #include "Core/Recipe/ShaderRecipe.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "Core/Look/TransferBands.h"
 #include "Core/Reference/RayIntegral.h"
-#include "Core/Reference/ReferenceImage.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 
 #include <array>
 #include <string>

@@ -4,7 +4,7 @@
 #include "Core/Look/OpticalTable.h"
 #include "Core/Look/PreIntegratedTable.h"
 #include "Core/Packets/PacketMarch.h"
-#include "Core/Reference/ReferenceImage.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "Core/Blocks/BlockResidency.h"
+#include "Core/Blocks/BlockPartition.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/Blocks/BoxOverlap.h"
+#include "Core/Blocks/OwnerOrder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/Look/ExtinctionSums.h"
+#include "Core/Look/OpticalTable.h"
 
 #include <gtest/gtest.h>
 

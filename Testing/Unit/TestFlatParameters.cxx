@@ -1,5 +1,4 @@
-#include "Core/Recipe/FlatParameters.h"
-#include "Core/Recipe/ParameterBlock.h"
+#include "Core/Recipe/ShaderAssembly.h"
 
 #include <gtest/gtest.h>
 

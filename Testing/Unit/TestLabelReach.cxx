@@ -1,4 +1,4 @@
-#include "Core/Fields/LabelReach.h"
+#include "Core/Fields/BrickRows.h"
 
 #include <glm/common.hpp>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "OpacityCurve.h"
 
-#include "Core/Look/OpaqueValues.h"
+#include "Core/Look/OpticalTable.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "Core/Reference/ReferenceImage.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 
 #include <gtest/gtest.h>
 

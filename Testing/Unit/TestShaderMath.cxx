@@ -1,7 +1,7 @@
 // Formulas of the shaders, compiled as C++ and compared with double precision.
 
 #include "Core/Fields/LightLattice.h"
-#include "Core/Reference/SkyVisibility.h"
+#include "Core/Reference/LightTransmittance.h"
 
 #include <glm/glm.hpp>
 

@@ -1,6 +1,6 @@
 // The light from all around that reaches places in a slab, compared with closed forms.
 
-#include "Core/Reference/SkyVisibility.h"
+#include "Core/Reference/LightTransmittance.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,7 +1,5 @@
 #include "Core/Quality/StepSearch.h"
 
-#include "Core/Quality/TrialDistances.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "Core/Fields/EvenBricks.h"
+#include "Core/Fields/BrickRanges.h"
 #include "Core/Geometry/UnevenAxis.h"
 
 #include <gtest/gtest.h>

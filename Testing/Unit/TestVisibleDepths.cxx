@@ -1,4 +1,4 @@
-#include "Core/Fields/VisibleDepths.h"
+#include "Core/Fields/VisibleBricks.h"
 
 #include "Core/Geometry/PixelRays.h"
 

@@ -1,6 +1,6 @@
 #include "March/TrialImages.h"
 
-#include "Core/Quality/TrialDistances.h"
+#include "Core/Quality/StepSearch.h"
 #include "March/RayParametersBuilder.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "Resources/FieldTexture.h"
 
+#include "Core/Fields/BrickRanges.h"
 #include "Core/Fields/CellField.h"
-#include "Core/Fields/EvenBricks.h"
 #include "Core/Fields/VariationField.h"
 #include "Readers/MappedMemory.h"
 #include "Resources/VolumeTexture.h"

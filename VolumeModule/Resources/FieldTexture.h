@@ -5,7 +5,6 @@
 #include "Core/Fields/ExtremeBricks.h"
 #include "Core/Fields/OpticalField.h"
 #include "Core/Fields/VisibleBricks.h"
-#include "Core/Fields/VisibleDepths.h"
 #include "Core/Geometry/UnevenAxis.h"
 #include "Core/Recipe/RenderSettings.h"
 #include "Frame/Fingerprint.h"

@@ -1,6 +1,6 @@
 #include "Resources/LightResources.h"
 
-#include "Core/Look/ExtinctionSums.h"
+#include "Core/Look/OpticalTable.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/SceneFingerprint.h"
 

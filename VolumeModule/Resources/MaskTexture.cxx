@@ -1,6 +1,6 @@
 #include "Resources/MaskTexture.h"
 
-#include "Core/Fields/LabelReach.h"
+#include "Core/Fields/BrickRows.h"
 #include "Resources/VolumeTexture.h"
 #include "VtkVersions.h"
 

@@ -1,6 +1,6 @@
 #include "Resources/ValueFocus.h"
 
-#include "Core/Look/OpaqueValues.h"
+#include "Core/Look/OpticalTable.h"
 #include "Frame/FiniteRange.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Resources/MaterialTables.h"

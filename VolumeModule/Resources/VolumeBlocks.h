@@ -2,7 +2,6 @@
 #define Varimarch_Resources_VolumeBlocks_h
 
 #include "Core/Blocks/BlockPartition.h"
-#include "Core/Blocks/BlockResidency.h"
 #include "Resources/FieldTexture.h"
 #include "Resources/VolumeGaps.h"
 #include "Resources/VolumeTexture.h"

@@ -1,4 +1,4 @@
 // Nothing is passed: the fragment shader reads its parameters itself
-// (Core/Recipe/FlatParameters.h).
+// (Core/Recipe/ShaderAssembly.h).
 
 void PassParameters() {}

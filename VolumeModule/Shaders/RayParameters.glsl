@@ -1,6 +1,6 @@
 // The parameters of a march that do not belong to one of its volumes. Both marchers read them:
 // shaders as a uniform block, the processor as the struct that Core/Parameters/MarchParameters.h
-// makes of this file. Members that every step reads come first (Core/Recipe/FlatParameters.h). No
+// makes of this file. Members that every step reads come first (Core/Recipe/ShaderAssembly.h). No
 // scalar follows a vec3, so that C++ and std140 agree on the position of each member.
 
 layout(std140) uniform RayParameters

@@ -1,7 +1,7 @@
 #include "Stages/VolumeStage.h"
 
 #include "Core/Look/HeadLightShading.h"
-#include "Core/Reference/ReferenceImage.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 #include "Frame/FiniteRange.h"
 #include "Frame/PropertyTransferFunction.h"
 #include "Scene/Images/FloatCapture.h"

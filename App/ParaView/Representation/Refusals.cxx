@@ -1,6 +1,6 @@
 #include "Refusals.h"
 
-#include "Core/Blocks/BoxOverlap.h"
+#include "Core/Blocks/OwnerOrder.h"
 
 #include "vtkVolumeMapper.h"
 

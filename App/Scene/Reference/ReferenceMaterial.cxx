@@ -1,7 +1,7 @@
 #include "Scene/Reference/ReferenceMaterial.h"
 
 #include "Core/Geometry/ScalarGrid.h"
-#include "Core/Reference/SkyVisibility.h"
+#include "Core/Reference/LightTransmittance.h"
 #include "Core/Reference/SplineGrid.h"
 #include "Scene/Looks/LookRegions.h"
 

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Scene_ReferencePicture_h
 #define Varimarch_Scene_ReferencePicture_h
 
-#include "Core/Reference/ReferenceImage.h"
+#include "Core/Reference/ReferenceIntegrator.h"
 #include "Scene/Model/Scene.h"
 
 #include <vtkImageData.h>

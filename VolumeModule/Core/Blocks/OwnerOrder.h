@@ -34,6 +34,10 @@ struct OwnerOrder
 OwnerOrder OwnersFrontToBack(
   const std::vector<OwnedBox>& boxes, int ownerCount, const glm::dmat4& clipFromWorld);
 
+/// The first two of some boxes that overlap; none if all of them are apart. Boxes that touch are
+/// apart, even if rounding lets them overlap by a millionth of their sides.
+std::optional<std::pair<int, int>> FirstOverlap(const std::vector<Box>& boxes);
+
 }
 
 #endif

@@ -2,7 +2,9 @@
 #define Varimarch_Core_Fields_BrickRanges_h
 
 #include "Core/Geometry/ScalarGrid.h"
+#include "Core/Geometry/UnevenAxis.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -92,6 +94,23 @@ private:
 template <class Scalar>
 BrickRanges BuildBrickRanges(const ScalarGrid<Scalar>& grid, double smallestValue,
   double largestValue, int reachVoxels = 0, int side = BrickRanges::CellsPerSide);
+
+/// The range of the values of two bricks, or of two parts of a brick.
+inline BrickRanges::Steps Union(const BrickRanges::Steps& a, const BrickRanges::Steps& b)
+{
+  if (!a.IsFinite() || !b.IsFinite())
+  {
+    return { 1, 0 };
+  }
+  return { std::min(a.smallest, b.smallest), std::max(a.largest, b.largest) };
+}
+
+/// Brick ranges on the even grid of a rectilinear volume, in which rays are straight. Each even
+/// brick has the range of all voxel bricks that overlap it; outermost ones include everything
+/// beyond.
+/// @param ofVoxels  ranges of the bricks of voxels; at least one brick
+/// @param axes  the three axes
+BrickRanges EvenBricks(const BrickRanges& ofVoxels, const std::vector<UnevenAxis>& axes);
 
 }
 

@@ -38,6 +38,11 @@ private:
   std::vector<std::uint32_t> setOfBrick;
 };
 
+/// Extent of the label around each voxel v of a mask: k + 1 if all voxels v - k ... v + k on each
+/// axis, clipped to the mask, have the same label. Exact up to 255.
+/// @param labels  x fastest
+std::vector<std::uint16_t> LabelReach(const std::vector<std::uint16_t>& labels, glm::ivec3 size);
+
 }
 
 #endif

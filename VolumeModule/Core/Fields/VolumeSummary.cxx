@@ -1,20 +1,307 @@
 #include "Core/Fields/VolumeSummary.h"
 
-#include "Core/Fields/SlabRanges.h"
-#include "Core/Fields/SlabReader.h"
+#include "Core/Blocks/BrickSource.h"
+#include "Core/Fields/BrickRanges.h"
+#include "Core/Look/ValueRange.h"
+
+#include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <thread>
 #include <type_traits>
+#include <vector>
 
 namespace varimarch
 {
-
 namespace
 {
+
+/// The voxels of a level along each axis.
+inline glm::ivec3 VoxelCountOf(const BrickSource::Level& level)
+{
+  const auto& dimensions = level.dimensions;
+  return { int(dimensions[0]), int(dimensions[1]), int(dimensions[2]) };
+}
+
+/// A box of voxels that are read together. It begins where bricks do.
+struct VoxelSlab
+{
+  glm::ivec3 first; ///< its first voxel
+  glm::ivec3 count; ///< voxels along each axis
+  bool isStored;    ///< false if all its voxels have the fill value
+};
+
+/// Reads a volume in slabs, on as many cores as there is memory for slabs. A core takes no other
+/// slab before it is done with one. Each slab is some whole chunks, so that each chunk is read
+/// once, unless the memory is too small for them, or too many chunks are needed to fill whole
+/// bricks.
+template <class Scalar>
+class SlabReader
+{
+public:
+  /// @param mostBytes  voxels that are in memory at the same time [bytes]
+  /// @param side  cells along each side of a brick
+  SlabReader(const BrickSource& source, std::uint64_t mostBytes, int side)
+    : source(source)
+    , side(side)
+    , voxels(VoxelCountOf(source.Levels().front()))
+  {
+    constexpr std::int64_t Wanted = 1 << 21; // voxels for which a decoder is worth asking
+    const auto threads = std::int64_t(tbb::this_task_arena::max_concurrency());
+    const auto most = std::int64_t(mostBytes / sizeof(Scalar));
+    this->TakeWholeChunks();
+    this->Grow(std::min(Wanted, most / threads));
+    this->Shrink(most / threads);
+    const std::int64_t ofSlab = VoxelsOf(glm::min(this->extent, this->voxels));
+    this->slabsAtOnce = int(std::clamp<std::int64_t>(most / ofSlab, 1, threads));
+  }
+
+  /// True if all slabs are stored.
+  bool HaveAll() const { return this->StoredCount() == this->SlabCount(); }
+
+  /// Calls take(slab, its voxels) for each slab, on several cores. There are no voxels for slabs
+  /// that are not stored.
+  template <class Take>
+  void ForEach(const std::function<void(double)>& report, Take take) const
+  {
+    const int slabCount = this->SlabCount();
+    const int storedCount = this->StoredCount();
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<int> done = 0;
+    const auto readOne = [&](int index)
+    {
+      const VoxelSlab slab = this->SlabOf(index);
+      std::vector<Scalar> read(slab.isStored ? std::size_t(VoxelsOf(slab.count)) : 0);
+      if (slab.isStored)
+      {
+        this->source.Read(0, BoxOf(slab), read.data());
+      }
+      tbb::this_task_arena::isolate([&] { take(slab, read); });
+      done += slab.isStored ? 1 : 0;
+      if (std::this_thread::get_id() == caller)
+      {
+        report(double(done) / std::max(storedCount, 1));
+      }
+    };
+    tbb::task_arena arena(this->slabsAtOnce);
+    arena.execute([&] { tbb::parallel_for(0, slabCount, readOne); });
+  }
+
+private:
+  static std::int64_t VoxelsOf(const glm::ivec3& size)
+  {
+    return std::int64_t(size.x) * size.y * size.z;
+  }
+
+  static BrickSource::Box BoxOf(const VoxelSlab& slab)
+  {
+    const glm::ivec3 behind = slab.first + slab.count;
+    return { { slab.first.x, slab.first.y, slab.first.z }, { behind.x, behind.y, behind.z } };
+  }
+
+  /// A number of voxels, at least as many, that whole bricks have.
+  int Bricks(std::int64_t least) const
+  {
+    constexpr std::int64_t Most = 1 << 30;
+    return int((std::min(least, Most) + this->side - 1) / this->side) * this->side;
+  }
+
+  /// The fewest chunks that are whole bricks, or nearly.
+  void TakeWholeChunks()
+  {
+    constexpr std::int64_t MostChunks = 4;
+    const auto& chunk = this->source.Levels().front().chunk;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::int64_t wanted = chunk[axis];
+      while (wanted % this->side != 0 && wanted < MostChunks * chunk[axis])
+      {
+        wanted += chunk[axis];
+      }
+      this->extent[axis] = this->Bricks(std::min<std::int64_t>(wanted, this->voxels[axis]));
+    }
+  }
+
+  /// Takes more chunks, as long as there are no more than some voxels.
+  void Grow(std::int64_t most)
+  {
+    bool grows = true;
+    while (grows)
+    {
+      int axis = 0;
+      for (int other = 1; other < 3; ++other)
+      {
+        const bool isCovered = this->extent[axis] >= this->voxels[axis];
+        const bool isOpen = this->extent[other] < this->voxels[other];
+        axis = isOpen && (isCovered || this->extent[other] < this->extent[axis]) ? other : axis;
+      }
+      grows = this->extent[axis] < this->voxels[axis] && 2 * VoxelsOf(this->extent) <= most;
+      this->extent[axis] *= grows ? 2 : 1;
+    }
+  }
+
+  /// Takes thinner slabs until there are at most some voxels, but one brick at least.
+  void Shrink(std::int64_t most)
+  {
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const std::int64_t ofLayer = VoxelsOf(this->extent) / this->extent[axis];
+      const std::int64_t layers =
+        std::max<std::int64_t>(most / ofLayer / this->side, 1) * this->side;
+      this->extent[axis] = int(std::min<std::int64_t>(this->extent[axis], layers));
+    }
+  }
+
+  /// The number of slabs along each axis.
+  glm::ivec3 Counts() const { return (this->voxels - 1) / this->extent + 1; }
+  int SlabCount() const { return int(VoxelsOf(this->Counts())); }
+
+  int StoredCount() const
+  {
+    int count = 0;
+    for (int i = 0; i < this->SlabCount(); ++i)
+    {
+      count += this->SlabOf(i).isStored ? 1 : 0;
+    }
+    return count;
+  }
+
+  VoxelSlab SlabOf(int index) const
+  {
+    const glm::ivec3 counts = this->Counts();
+    const glm::ivec3 number(
+      index % counts.x, index / counts.x % counts.y, index / counts.x / counts.y);
+    VoxelSlab slab = { number * this->extent, this->extent, true };
+    slab.count = glm::min(slab.count, this->voxels - slab.first);
+    const BrickSource::Box stored = this->source.Occupied(BoxOf(slab));
+    slab.isStored = stored.lower[0] < stored.upper[0];
+    return slab;
+  }
+
+  const BrickSource& source;
+  int side;
+  glm::ivec3 voxels;
+  glm::ivec3 extent = glm::ivec3(1); ///< voxels of a slab along each axis, in whole bricks
+  int slabsAtOnce = 1;
+};
+
+/// Puts the ranges of a volume together from those of its slabs, so that each voxel is read for
+/// one slab only. A brick has its far faces in common with the next bricks: the first voxels of a
+/// slab belong to bricks of the slabs before it too.
+class SlabRanges
+{
+public:
+  /// @param ranges  ranges of the whole volume, which are known when all slabs are put there
+  explicit SlabRanges(BrickRanges& ranges)
+    : ranges(ranges)
+  {
+    const glm::ivec3 count = ranges.BrickCount();
+    for (std::size_t brick = 0; brick < std::size_t(count.x) * count.y * count.z; ++brick)
+    {
+      ranges.Set(brick, Nothing);
+    }
+  }
+
+  /// Adds the voxels of a slab. May be called from several threads at the same time.
+  /// @param extremes  the values between which ranges are told apart
+  template <class Scalar>
+  void Add(const VoxelSlab& slab, const ScalarGrid<Scalar>& grid, const ValueRange& extremes)
+  {
+    constexpr int Ways = 8; // along each axis the whole slab, or its first voxels alone
+    for (int way = 0; way < Ways; ++way)
+    {
+      const glm::ivec3 alone(way & 1, way >> 1 & 1, way >> 2 & 1);
+      if (HasBricks(slab, alone))
+      {
+        const VoxelRegion region = { glm::ivec3(0),
+          glm::mix(slab.count, glm::ivec3(1), glm::bvec3(alone)) };
+        this->Put(BuildBrickRanges(
+                    grid.Part(region), extremes.lower, extremes.upper, 0, this->ranges.Side()),
+          slab.first / this->ranges.Side() - alone);
+      }
+    }
+  }
+
+  /// Adds a slab whose voxels all have the same value.
+  void Add(const VoxelSlab& slab, BrickRanges::Steps steps)
+  {
+    const int side = this->ranges.Side();
+    const glm::ivec3 first = glm::max(slab.first - 1, 0) / side;
+    const glm::ivec3 last =
+      glm::min((slab.first + slab.count - 1) / side, this->ranges.BrickCount() - 1);
+    const glm::ivec3 count = last - first + 1;
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    for (int row = 0; row < count.y * count.z; ++row)
+    {
+      const std::size_t begin =
+        this->RowOf(first + glm::ivec3(0, row % count.y, row / count.y)) + std::size_t(first.x);
+      for (std::size_t brick = begin; brick < begin + std::size_t(count.x); ++brick)
+      {
+        this->Include(brick, steps);
+      }
+    }
+  }
+
+private:
+  /// The range of a brick without voxels yet, which no brick with voxels has.
+  static constexpr BrickRanges::Steps Nothing = { 255, 0 };
+
+  /// True if there are bricks to which the slab, or its first voxels along some axes, belong.
+  static bool HasBricks(const VoxelSlab& slab, const glm::ivec3& alone)
+  {
+    bool has = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      has = has &&
+        (slab.first[axis] == 0 ? alone[axis] == 0 : alone[axis] == 1 || slab.count[axis] > 1);
+    }
+    return has;
+  }
+
+  std::size_t RowOf(const glm::ivec3& brick) const
+  {
+    const glm::ivec3 all = this->ranges.BrickCount();
+    return (std::size_t(brick.z) * all.y + brick.y) * all.x;
+  }
+
+  void Put(const BrickRanges& part, const glm::ivec3& first)
+  {
+    const glm::ivec3 count = part.BrickCount();
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    std::size_t brick = 0;
+    for (int row = 0; row < count.y * count.z; ++row)
+    {
+      const std::size_t begin =
+        this->RowOf(first + glm::ivec3(0, row % count.y, row / count.y)) + std::size_t(first.x);
+      for (int x = 0; x < count.x; ++x, ++brick)
+      {
+        this->Include(begin + std::size_t(x), part[brick]);
+      }
+    }
+  }
+
+  void Include(std::size_t brick, BrickRanges::Steps steps)
+  {
+    const BrickRanges::Steps before = this->ranges[brick];
+    const bool isFirst = before.smallest == Nothing.smallest && before.largest == Nothing.largest;
+    this->ranges.Set(brick, isFirst ? steps : Union(before, steps));
+  }
+
+  BrickRanges& ranges;
+  std::mutex mutex;
+};
 
 /// Extremes of the finite values of a slab.
 template <class Scalar>

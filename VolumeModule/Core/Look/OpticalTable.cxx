@@ -1,15 +1,11 @@
 #include "Core/Look/OpticalTable.h"
 
-#include "Core/Look/OpaqueValues.h"
-
+#include <glm/common.hpp>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <glm/common.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -17,7 +13,6 @@
 
 namespace varimarch
 {
-
 namespace
 {
 
@@ -300,6 +295,36 @@ std::array<double, 2> VisibleValues(const OpticalTable& table)
   };
   return { first == table.entries.begin() ? -infinity : valueAt(first - 1),
     behindLast == table.entries.end() ? infinity : valueAt(behindLast) };
+}
+
+std::vector<ValueRange> OpaqueValues(
+  const TransferFunction& transferFunction, const ValueRange& values)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  const std::vector<OpacityNode>& nodes = transferFunction.Opacities();
+  std::vector<ValueRange> ranges;
+  for (std::size_t first = 0; first < nodes.size(); ++first)
+  {
+    std::size_t behind = first;
+    while (behind < nodes.size() && nodes[behind].opacity >= 1.0)
+    {
+      ++behind;
+    }
+    if (behind == first)
+    {
+      continue;
+    }
+    const ValueRange range{ first == 0 ? -Infinity : nodes[first].value,
+      behind == nodes.size() ? Infinity : nodes[behind - 1].value };
+    const bool beginsInside = values.lower < range.lower && range.lower <= values.upper;
+    const bool endsInside = values.lower <= range.upper && range.upper < values.upper;
+    if (range.lower < range.upper && (beginsInside || endsInside))
+    {
+      ranges.push_back(range);
+    }
+    first = behind;
+  }
+  return ranges;
 }
 
 }

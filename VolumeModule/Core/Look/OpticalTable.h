@@ -2,6 +2,7 @@
 #define Varimarch_Core_Look_OpticalTable_h
 
 #include "Core/Look/TransferFunction.h"
+#include "Core/Look/ValueRange.h"
 
 #include <glm/vec4.hpp>
 
@@ -60,6 +61,32 @@ IndexInTable IndexOf(
 /// The open range of values in which a table has any extinction. An end is infinite if the end
 /// entry has extinction; the range is (infinity, -infinity) if no entry has.
 std::array<double, 2> VisibleValues(const OpticalTable& table);
+
+/// The ranges of values at which a function is opaque, ascending; an end is infinite if the
+/// function stays opaque. A single opaque value among others that are not, as the tip of a tent, is
+/// none: light passes it.
+/// @param values  the values that occur: a range of which all or none occur is left out, since
+///                opaque matter has no border then
+std::vector<ValueRange> OpaqueValues(
+  const TransferFunction& transferFunction, const ValueRange& values);
+
+/// The integral of a table's extinction over its values, from its first entry to each of the others
+/// [entries / mm]. Where values change linearly along a ray, their mean extinction is a difference
+/// quotient of it, so that no peak of the transfer function is missed (Max, Hanrahan, Crawfis
+/// 1990).
+/// @param mostExtinction  larger extinctions count as this one [1/mm]
+inline std::vector<double> ExtinctionSums(const OpticalTable& table, double mostExtinction)
+{
+  const auto extinctionOf = [&](const glm::vec4& entry)
+  { return double(entry.w) < mostExtinction ? double(entry.w) : mostExtinction; };
+  std::vector<double> sums = { 0.0 };
+  for (std::size_t i = 1; i < table.entries.size(); ++i)
+  {
+    sums.push_back(
+      sums.back() + 0.5 * (extinctionOf(table.entries[i - 1]) + extinctionOf(table.entries[i])));
+  }
+  return sums;
+}
 
 }
 

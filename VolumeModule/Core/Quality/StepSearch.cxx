@@ -3,20 +3,18 @@
 #include "Core/Quality/ErrorBudget.h"
 #include "Core/Quality/ImageError.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
 
 namespace varimarch
 {
-
 namespace
 {
 
 // The order at surfaces that are all but opaque.
 constexpr double OrderAtOpaqueSurfaces = 1.0;
+
 // Bounds of the estimated order.
 constexpr double LeastOrder = 0.7;
 constexpr double MostOrder = 3.0;
@@ -25,6 +23,7 @@ constexpr double MostOrder = 3.0;
 // it equals the limit.
 constexpr double LeastNear = 0.6;
 constexpr double MostNear = 1.25;
+
 // The predicted distance is accepted if the error drawn there exceeds the limit by no more than the
 // inaccuracy of the estimate.
 constexpr double MostOfLimit = ErrorBudget::EstimateSlack;
@@ -32,7 +31,6 @@ constexpr double MostOfLimit = ErrorBudget::EstimateSlack;
 // The distance of an earlier search is taken if its error is at least this fraction of the limit:
 // longer steps would save less than the image that tries them.
 constexpr double LeastOfEarlier = 0.85;
-
 constexpr int MostTrials = 10;
 
 // Ratio of the error to its change when the distance is halved; the change is 1 - 2^(-order

@@ -1,7 +1,5 @@
 #include "Core/Recipe/ShaderAssembly.h"
 
-#include "Core/Recipe/ParameterBlock.h"
-
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -9,6 +7,59 @@
 
 namespace varimarch
 {
+namespace
+{
+
+// The text between the braces of the uniform block; empty without a block. std::regex calls itself
+// for each character that a repetition matches, so that a long body must not be matched by one.
+std::string BodyOfBlock(const std::string& text)
+{
+  static const std::regex head(R"(layout\(std140\) uniform \w+\s*\{)");
+  std::smatch found;
+  if (!std::regex_search(text, found, head))
+  {
+    return {};
+  }
+  const std::size_t begin = std::size_t(found.position() + found.length());
+  const std::size_t end = text.find("};", begin);
+  return end == std::string::npos ? std::string() : text.substr(begin, end - begin);
+}
+
+}
+
+std::vector<BlockMember> MembersOf(const std::string& text)
+{
+  static const std::regex declaration(R"(\n\s*(\w+) (\w+)(?:\[(\d+)\])?;)");
+  std::vector<BlockMember> members;
+  const std::string body = BodyOfBlock(text);
+  for (std::sregex_iterator member(body.begin(), body.end(), declaration), none; member != none;
+       ++member)
+  {
+    const int count = (*member)[3].matched ? std::stoi((*member)[3]) : 1;
+    members.push_back({ (*member)[1], (*member)[2], count });
+  }
+  return members;
+}
+
+int ComponentsOf(const BlockMember& member)
+{
+  const int side = member.type.back() - '0';
+  const bool isScalar = member.type == "float" || member.type == "int";
+  const int ofOne = isScalar ? 1 : member.type[0] == 'm' ? side * side : side;
+  return ofOne * member.count;
+}
+
+std::vector<std::string> SamplersOf(const std::string& text)
+{
+  static const std::regex declaration(R"(uniform sampler\w+ (\w+);)");
+  std::vector<std::string> names;
+  for (std::sregex_iterator sampler(text.begin(), text.end(), declaration), none; sampler != none;
+       ++sampler)
+  {
+    names.push_back((*sampler)[1]);
+  }
+  return names;
+}
 
 namespace
 {
@@ -166,6 +217,107 @@ std::string TraceShaderErrors(const std::string& messages, const std::vector<Sha
       : match->str();
   }
   return traced.append(end, messages.end());
+}
+
+namespace
+{
+
+// The file of the vertex shader that passes nothing on; it is replaced if parameters are passed.
+constexpr char Passing[] = "PassParameters.glsl";
+
+bool IsBlock(const ShaderFile& file)
+{
+  return !MembersOf(file.text).empty();
+}
+
+std::set<std::string> NamesIn(const std::vector<ShaderFile>& files)
+{
+  static const std::regex name(R"([A-Za-z_]\w*)");
+  std::set<std::string> names;
+  for (const ShaderFile& file : files)
+  {
+    if (!IsBlock(file))
+    {
+      for (std::sregex_iterator found(file.text.begin(), file.text.end(), name), none;
+           found != none; ++found)
+      {
+        names.insert(found->str());
+      }
+    }
+  }
+  return names;
+}
+
+// The block members that a shader uses, in the order of its blocks, as long as they fit.
+std::vector<BlockMember> PassedMembers(const std::vector<ShaderFile>& files, int mostComponents)
+{
+  const std::set<std::string> names = NamesIn(files);
+  std::vector<BlockMember> passed;
+  for (const ShaderFile& file : files)
+  {
+    for (const BlockMember& member : MembersOf(file.text))
+    {
+      if (names.count(member.name) > 0 && ComponentsOf(member) <= mostComponents)
+      {
+        mostComponents -= ComponentsOf(member);
+        passed.push_back(member);
+      }
+    }
+  }
+  return passed;
+}
+
+std::string VariableOf(const BlockMember& member)
+{
+  return member.name + "Flat";
+}
+
+std::string Declaration(const BlockMember& member)
+{
+  const std::string size = member.count > 1 ? "[" + std::to_string(member.count) + "]" : "";
+  return member.type + " " + VariableOf(member) + size + ";\n";
+}
+
+std::string VertexText(const std::vector<BlockMember>& members)
+{
+  std::string declarations;
+  std::string assignments;
+  for (const BlockMember& member : members)
+  {
+    declarations += "flat out " + Declaration(member);
+    assignments += "  " + VariableOf(member) + " = " + member.name + ";\n";
+  }
+  return declarations + "\nvoid PassParameters()\n{\n" + assignments + "}\n";
+}
+
+// Declares the variables, and macros by which the rest of the shader reads them as members.
+std::string FragmentText(const std::vector<BlockMember>& members)
+{
+  std::string text;
+  for (const BlockMember& member : members)
+  {
+    text +=
+      "flat in " + Declaration(member) + "#define " + member.name + " " + VariableOf(member) + "\n";
+  }
+  return text;
+}
+
+}
+
+void HandParametersOn(
+  std::vector<ShaderFile>& vertex, std::vector<ShaderFile>& fragment, int mostComponents)
+{
+  if (VolumeCount(fragment) > 1)
+  {
+    return;
+  }
+  const std::vector<BlockMember> members = PassedMembers(fragment, mostComponents);
+  for (ShaderFile& file : vertex)
+  {
+    file = file.path == Passing ? ShaderFile{ "Flat", VertexText(members) } : file;
+  }
+  const auto lastBlock = std::find_if(fragment.rbegin(), fragment.rend(), IsBlock);
+  fragment.insert(lastBlock.base(), { "Flat", FragmentText(members) });
 }
 
 }

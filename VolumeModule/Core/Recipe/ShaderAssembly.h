@@ -9,6 +9,24 @@
 namespace varimarch
 {
 
+/// A member of a uniform block.
+struct BlockMember
+{
+  std::string type;
+  std::string name;
+  int count; ///< The length of an array; 1 for a single value.
+};
+
+/// The members of the uniform block in the text of a shader file such as RayParameters.glsl, which
+/// has one per line; empty if the file declares no block.
+std::vector<BlockMember> MembersOf(const std::string& text);
+
+/// The number of components of a member.
+int ComponentsOf(const BlockMember& member);
+
+/// The names of the samplers in the text of a shader file such as RayTextures.glsl, in its order.
+std::vector<std::string> SamplersOf(const std::string& text);
+
 struct ShaderFile
 {
   std::string path; ///< below VolumeModule/Shaders
@@ -39,6 +57,15 @@ std::string NameOfVolume(const std::string& name, std::size_t volume);
 /// Replaces line numbers in compiler messages about the joined source by paths and lines of its
 /// files: "0:3009(5): error" becomes "Blend/Composite.glsl:9: error".
 std::string TraceShaderErrors(const std::string& messages, const std::vector<ShaderFile>& files);
+
+/// Changes a shader so that the vertex shader reads the parameters that the fragment shader uses,
+/// and passes them on as flat variables. This is for llvmpipe, which gathers a uniform for every
+/// pixel of its vectors each time it is used, even in loops (Documentation/Decisions/0017). Members
+/// of the blocks are passed in their order while there are variables left; the fragment shader
+/// reads the others from the blocks. Shaders of several volumes are not changed.
+/// @param mostComponents  numbers that a vertex shader can pass on, >= 0
+void HandParametersOn(
+  std::vector<ShaderFile>& vertex, std::vector<ShaderFile>& fragment, int mostComponents);
 
 }
 

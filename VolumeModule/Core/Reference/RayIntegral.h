@@ -32,8 +32,7 @@ struct MeasuredRay
   glm::dvec3 PositionGrid(double t) const { return this->grid.origin + t * this->grid.direction; }
 };
 
-/// The integral along a ray for one blend mode, to a tolerance. Each blend mode has its class and
-/// file.
+/// The integral along a ray for one blend mode, to a tolerance. Each blend mode has its class.
 class RayIntegral
 {
 public:

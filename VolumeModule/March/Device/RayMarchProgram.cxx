@@ -1,7 +1,5 @@
 #include "March/Device/RayMarchProgram.h"
 
-#include "Core/Recipe/FlatParameters.h"
-#include "Core/Recipe/ParameterBlock.h"
 #include "Core/Recipe/PassRecipe.h"
 #include "Core/Recipe/ShaderAssembly.h"
 #include "Core/Recipe/ShaderRecipe.h"
