@@ -5,10 +5,9 @@
 #include "Readers/FileError.h"
 #include "Readers/HeaderText.h"
 #include "Readers/ImageFacts.h"
-#include "Readers/Magnitude.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Rectify.h"
-#include "Readers/Signatures.h"
+#include "Readers/Rescale.h"
 #include "Readers/Times.h"
 
 #include <vtksys/SystemTools.hxx>

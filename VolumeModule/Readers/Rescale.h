@@ -1,6 +1,8 @@
 #ifndef Varimarch_Readers_Rescale_h
 #define Varimarch_Readers_Rescale_h
 
+#include "Readers/VolumeFile.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -25,6 +27,11 @@ struct Rescale
 /// @throws std::runtime_error if a wider type does not fit in memory
 vtkSmartPointer<vtkImageData> Rescaled(
   const std::string& path, vtkSmartPointer<vtkImageData> image, const std::vector<Rescale>& slices);
+
+/// Replaces the components of each voxel by their magnitude, the root of the sum of their squares,
+/// as a float or, for components of more than 24 bits, a double. Adds a warning.
+/// @param reason  beginning of the warning, such as "The numbers are complex"
+void TakeMagnitude(const std::string& reason, Volume& volume);
 
 }
 

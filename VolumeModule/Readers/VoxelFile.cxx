@@ -2,8 +2,8 @@
 
 #include "Readers/FileError.h"
 #include "Readers/MappedVoxels.h"
-#include "Readers/Memory.h"
 #include "Readers/NumberText.h"
+#include "Readers/VoxelLayout.h"
 
 #include <vtkByteSwap.h>
 #include <vtkDataArray.h>

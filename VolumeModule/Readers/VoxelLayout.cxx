@@ -1,12 +1,13 @@
 #include "Readers/VoxelLayout.h"
 
 #include "Readers/FileError.h"
-#include "Readers/Memory.h"
+#include "Readers/VolumeFile.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkType.h>
+#include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
 #include <cstdio>
@@ -153,6 +154,26 @@ std::string ByteText(double bytes)
   char text[40];
   std::snprintf(text, sizeof(text), "%.4g %s", bytes, units[unit]);
   return text;
+}
+
+double PhysicalMemoryBytes()
+{
+  static const double bytes =
+    1024.0 * double(vtksys::SystemInformation().GetHostMemoryTotal()); // in KiB
+  return bytes;
+}
+
+std::uint64_t MostMemoryBytes(const ReadOptions& options)
+{
+  return options.mostMemoryBytes > 0 ? options.mostMemoryBytes
+                                     : std::uint64_t(PhysicalMemoryBytes());
+}
+
+double FreeMemoryBytes()
+{
+  vtksys::SystemInformation machine;
+  machine.RunMemoryCheck();
+  return 1024.0 * 1024.0 * double(machine.GetAvailablePhysicalMemory()); // in MiB
 }
 
 }

@@ -67,6 +67,17 @@ std::string Text(const VoxelLayout& layout);
 /// A text such as "12.3 MB", for messages.
 std::string ByteText(double bytes);
 
+struct ReadOptions;
+
+/// Main memory of the machine [bytes].
+double PhysicalMemoryBytes();
+
+/// Memory that a reader's options let the program use [bytes].
+std::uint64_t MostMemoryBytes(const ReadOptions& options);
+
+/// Main memory that programs may still take [bytes].
+double FreeMemoryBytes();
+
 }
 
 #endif

@@ -2,7 +2,7 @@
 
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/FileError.h"
-#include "Readers/Memory.h"
+#include "Readers/VoxelLayout.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #include "Readers/ByteStream.h"
 #include "Readers/Dicom/Attributes.h"
 #include "Readers/Dicom/GdcmCopy.h"
-#include "Readers/Signatures.h"
+#include "Readers/FileContent.h"
 #include "Readers/VoxelLayout.h"
 #include "Readers/VtkMessages.h"
 

@@ -8,7 +8,6 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/Images/TiffFile.h"
 #include "Readers/NumberText.h"
-#include "Readers/Signatures.h"
 #include "Readers/VoxelLayout.h"
 #include "Readers/VtkMessages.h"
 

@@ -1,7 +1,6 @@
 #include "Readers/Pyramids/VoxelPyramid.h"
 
 #include "Readers/FileError.h"
-#include "Readers/Memory.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkSetGet.h>

@@ -7,7 +7,6 @@
 #include "Readers/ImageGeometry.h"
 #include "Readers/Minc/MincFile.h"
 #include "Readers/Rescale.h"
-#include "Readers/Signatures.h"
 #include "Readers/Times.h"
 
 #include <algorithm>

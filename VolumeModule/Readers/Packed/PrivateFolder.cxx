@@ -1,7 +1,7 @@
 #include "Readers/PrivateFolder.h"
 
 #include "Readers/FileError.h"
-#include "Readers/Memory.h"
+#include "Readers/VoxelLayout.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

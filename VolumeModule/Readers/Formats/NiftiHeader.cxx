@@ -4,7 +4,6 @@
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/NiftiLayout.h"
 
 #include <vtkByteSwap.h>
 

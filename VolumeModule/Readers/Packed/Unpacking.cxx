@@ -4,7 +4,6 @@
 #include "Readers/ByteStream.h"
 #include "Readers/FileContent.h"
 #include "Readers/FileError.h"
-#include "Readers/Signatures.h"
 #include "Readers/VoxelLayout.h"
 
 #include <archive.h>

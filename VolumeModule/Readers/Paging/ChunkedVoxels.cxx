@@ -2,7 +2,7 @@
 
 #include "Core/Fields/VolumeSummary.h"
 #include "Readers/FileError.h"
-#include "Readers/PageMap.h"
+#include "Readers/MappedMemory.h"
 #include "Readers/VoxelLayout.h"
 
 #include <fcntl.h>

@@ -2,7 +2,6 @@
 
 #include "Readers/ChunkedVoxels.h"
 #include "Readers/MappedVoxels.h"
-#include "Readers/Memory.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>

@@ -3,7 +3,6 @@
 #include "Readers/Decoder/DecodedPyramid.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/Memory.h"
 #include "Readers/PagedPyramid.h"
 #include "Readers/Preview.h"
 #include "Readers/Pyramids/VoxelPyramid.h"

@@ -3,7 +3,6 @@
 #include "Core/Blocks/BrickSource.h"
 #include "Readers/FileError.h"
 #include "Readers/MappedMemory.h"
-#include "Readers/PageMap.h"
 #include "Readers/PagedVoxels.h"
 #include "Readers/Preview.h"
 #include "Readers/SummaryFile.h"
