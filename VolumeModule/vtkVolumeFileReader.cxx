@@ -3,8 +3,8 @@
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/DicomSeries.h"
 #include "Readers/Formats.h"
-#include "Readers/KeptInput.h"
-#include "Readers/PagedVoxels.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Paging/PagedVoxels.h"
 #include "Readers/Times.h"
 
 #include <vtkErrorCode.h>

@@ -2,7 +2,7 @@
 #include "CommandLine/PictureError.h"
 #include "CommandLine/Progress.h"
 #include "Core/Quality/ImageError.h"
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 #include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
 #include "Scene/Model/Scene.h"

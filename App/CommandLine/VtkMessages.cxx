@@ -1,7 +1,7 @@
 #include "CommandLine/VtkMessages.h"
 
 #include "Messages.h"
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include <vtkLogger.h>
 

@@ -2,7 +2,7 @@
 // App/Scene. Presets and scenes are passed as the JSON text of Documentation/SceneFormat.md.
 #include "vtkPython.h" // Python's header must come first
 
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 #include "Scene/Images/OffscreenView.h"
 #include "Scene/Json/JsonCursor.h"
 #include "Scene/Json/SceneFile.h"

@@ -1,6 +1,6 @@
 #include "Viewer/ScanLists.h"
 
-#include "Readers/PrivateFolder.h"
+#include "Readers/Packed/PrivateFolder.h"
 #include "Viewer/Archives/ArchiveWindow.h"
 #include "Viewer/Model/SceneModel.h"
 #include "Viewer/Open/TagsWindow.h"

@@ -3,7 +3,7 @@
 #include "Fuzz/FuzzTarget.h"
 
 #include "Readers/Decoder/DecoderSession.h"
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include <csignal>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Draws a scene and compares it with its baseline, as the regression tests of VTK's modules do:
 // RegressionTests NAME -D DATA -T TEMP -V BASELINE. README.md describes all uses.
 
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 #include "Regression/PictureJudgement.h"
 #include "Regression/RegressionCase.h"
 #include "Regression/VtkDifferences.h"

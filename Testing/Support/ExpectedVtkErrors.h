@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_ExpectedVtkErrors_h
 #define Varimarch_Testing_ExpectedVtkErrors_h
 
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include <string>
 #include <vector>

@@ -5,7 +5,7 @@
 #include "FakeDimseArchive.h"
 #include "FakeWebArchive.h"
 #include "Module/PhantomFiles.h"
-#include "Readers/PrivateFolder.h"
+#include "Readers/Packed/PrivateFolder.h"
 #include "Scene/Volumes/VolumeLoading.h"
 #include "Viewer/Archives/ArchiveChoice.h"
 #include "Viewer/Archives/ArchiveWindow.h"

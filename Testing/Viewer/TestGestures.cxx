@@ -1,6 +1,6 @@
 // Gestures in the views keep every point of the hand, however long the program takes to draw.
 
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 #include "Scene/Model/SceneCamera.h"
 #include "TorsoWindow.h"
 

@@ -1,6 +1,6 @@
 #include "Frame/VoxelsOnDisk.h"
 
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 
 #include "vtkDataArray.h"
 

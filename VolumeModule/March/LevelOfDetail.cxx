@@ -2,7 +2,7 @@
 
 #include "Frame/FrameBuilder.h"
 #include "Frame/SceneFingerprint.h"
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
 #include "vtkCamera.h"

@@ -4,7 +4,7 @@
 #include "Core/Geometry/SphereQuadrature.h"
 #include "Core/Look/OpticalTable.h"
 #include "Core/Packets/PacketScene.h"
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 #include "Readers/VoxelLayout.h"
 #include "Resources/MaterialTables.h"
 #include "Resources/ValueFocus.h"

@@ -1,10 +1,10 @@
 #include "Readers/Formats.h"
 
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageFacts.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/FileContent.h"
+#include "Readers/Parsing/HeaderText.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Rectify.h"
 #include "Readers/Rescale.h"

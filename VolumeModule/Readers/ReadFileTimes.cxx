@@ -2,7 +2,7 @@
 // that of a file in its last number only.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/KeptInput.h"
+#include "Readers/Packed/KeptInput.h"
 #include "Readers/Times.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "Readers/Rectify.h"
 
 #include "Readers/ImageGeometry.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>

@@ -1,7 +1,7 @@
 #include "Readers/Times.h"
 
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
+#include "Readers/Parsing/HeaderText.h"
 
 #include <algorithm>
 #include <cmath>

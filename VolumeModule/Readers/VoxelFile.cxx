@@ -1,8 +1,8 @@
 #include "Readers/VoxelFile.h"
 
 #include "Readers/FileError.h"
-#include "Readers/MappedVoxels.h"
-#include "Readers/NumberText.h"
+#include "Readers/Paging/MappedVoxels.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkByteSwap.h>

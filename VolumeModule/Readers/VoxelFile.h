@@ -1,7 +1,7 @@
 #ifndef Varimarch_Readers_VoxelFile_h
 #define Varimarch_Readers_VoxelFile_h
 
-#include "Readers/ByteStream.h"
+#include "Readers/Packed/ByteStream.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
 

@@ -3,7 +3,7 @@
 #include "Core/Fields/BrickRanges.h"
 #include "Core/Fields/CellField.h"
 #include "Core/Fields/VariationField.h"
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 #include "Resources/VolumeTexture.h"
 #include "VtkVersions.h"
 

@@ -1,6 +1,6 @@
 #include "Resources/ProcessorVolume.h"
 
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 #include "Readers/VoxelLayout.h"
 #include "Resources/VolumeGaps.h"
 

@@ -7,7 +7,7 @@
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/FiniteRange.h"
 #include "Frame/SceneFingerprint.h"
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 #include "Resources/ComponentCopy.h"
 #include "Resources/FloatFramebuffer.h"
 #include "Resources/RayAccumulation.h"

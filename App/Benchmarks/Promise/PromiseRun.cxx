@@ -1,6 +1,6 @@
 #include "PromiseRun.h"
 
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include <vtkHeadlessRenderWindow.h>
 

@@ -1,6 +1,6 @@
 #include "Viewer/Archives/ArchiveWindow.h"
 
-#include "Readers/PrivateFolder.h"
+#include "Readers/Packed/PrivateFolder.h"
 #include "Viewer/Studies/StudyTree.h"
 
 #include <QDate>

@@ -2,7 +2,7 @@
 
 #include "Archive/Archive.h"
 #include "Readers/Dicom/TaggedSeries.h"
-#include "Readers/PrivateFolder.h"
+#include "Readers/Packed/PrivateFolder.h"
 #include "Scene/Images/ImageFiles.h"
 #include "Scene/Model/Scene.h"
 #include "Viewer/Dialogs.h"

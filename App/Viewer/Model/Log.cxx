@@ -1,6 +1,6 @@
 #include "Viewer/Model/Log.h"
 
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include <QDateTime>
 #include <QDir>

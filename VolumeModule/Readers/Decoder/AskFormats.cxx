@@ -1,6 +1,5 @@
 // The formats, archives and compressed streams that other libraries parse, as a decoder reads them.
 // The header of a VTI file is read here: files whose voxels need no decoding are mapped.
-#include "Readers/ByteStream.h"
 #include "Readers/Decoder/Conversation.h"
 #include "Readers/Decoder/Fields.h"
 #include "Readers/Decoder/ImageForm.h"
@@ -8,9 +7,10 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/MappedVoxels.h"
-#include "Readers/NumberText.h"
-#include "Readers/Unpacking.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Packed/Unpacking.h"
+#include "Readers/Paging/MappedVoxels.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/VolumeFile.h"
 
 #include <vtkDataArray.h>

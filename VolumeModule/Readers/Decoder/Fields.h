@@ -4,8 +4,8 @@
 #include "Readers/Decoder/Wire.h"
 #include "Readers/Dicom/FileFrames.h"
 #include "Readers/Dicom/Metadata.h"
+#include "Readers/Packed/Unpacking.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
-#include "Readers/Unpacking.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
 

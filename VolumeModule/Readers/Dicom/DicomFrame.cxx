@@ -1,7 +1,7 @@
 #include "Readers/Dicom/DicomFrame.h"
 
 #include "Readers/FileError.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkType.h>

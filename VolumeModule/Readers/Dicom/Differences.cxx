@@ -2,7 +2,7 @@
 
 #include "Readers/Dicom/DicomFrame.h"
 #include "Readers/Dicom/Grouping.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Times.h"
 
 #include <algorithm>

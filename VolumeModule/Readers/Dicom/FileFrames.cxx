@@ -4,10 +4,11 @@
 #include "Readers/Dicom/DicomFrame.h"
 #include "Readers/Dicom/FileHeader.h"
 #include "Readers/Dicom/FrameOrder.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMItem.h>
+#include <vtkDICOMMetaData.h>
 
 #include <glm/geometric.hpp>
 
@@ -156,8 +157,6 @@ void TakeValueMap(const DicomAttributes& attributes, DicomFrame& frame)
     attributes.Number(DC::RescaleIntercept);
   TakeRealWorldMap(attributes, hasOther, frame);
 }
-
-class vtkDICOMMetaData;
 
 std::optional<glm::dmat2x3> AxesOf(const DicomAttributes& attributes)
 {
@@ -351,8 +350,6 @@ void PlaceFrames(vtkDICOMMetaData* meta, std::vector<DicomFrame>& frames)
   }
   MakeFilm(DicomAttributes(meta), frames);
 }
-
-class vtkDICOMMetaData;
 
 /// Siemens' private header, which begins with "SV10" (nibabel, "Siemens format DICOM with CSA
 /// header"). GDCM reads it too, but ends the program if it is malformed.

@@ -1,11 +1,11 @@
 #include "Readers/Dicom/FileHeader.h"
 
-#include "Readers/ByteStream.h"
 #include "Readers/Dicom/Attributes.h"
 #include "Readers/Dicom/GdcmCopy.h"
-#include "Readers/FileContent.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/FileContent.h"
+#include "Readers/Parsing/VtkMessages.h"
 #include "Readers/VoxelLayout.h"
-#include "Readers/VtkMessages.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMLookupTable.h>

@@ -1,7 +1,7 @@
 #include "Readers/Dicom/FileSearch.h"
 
 #include "Readers/Dicom/Metadata.h"
-#include "Readers/HeaderText.h"
+#include "Readers/Parsing/HeaderText.h"
 
 #include <algorithm>
 #include <filesystem>

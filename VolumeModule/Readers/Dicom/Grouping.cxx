@@ -3,7 +3,7 @@
 #include "Core/Quality/Percentile.h"
 #include "Readers/Dicom/DicomFrame.h"
 #include "Readers/Dicom/Differences.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -4,9 +4,9 @@
 #include "Readers/Dicom/DicomFrame.h"
 #include "Readers/Dicom/FileHeader.h"
 #include "Readers/FileError.h"
-#include "Readers/NumberText.h"
-#include "Readers/VtkMessages.h"
-#include "Readers/VtkProgress.h"
+#include "Readers/Parsing/NumberText.h"
+#include "Readers/Parsing/VtkMessages.h"
+#include "Readers/Parsing/VtkProgress.h"
 
 #include <vtkDICOMDataElement.h>
 #include <vtkDICOMDictEntry.h>

@@ -2,7 +2,7 @@
 
 #include "Readers/Dicom/GdcmCopy.h"
 #include "Readers/FileError.h"
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include <vtkDICOMDictHash.h>
 #include <vtkDICOMMetaData.h>

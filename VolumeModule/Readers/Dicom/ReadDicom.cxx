@@ -9,8 +9,8 @@
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/KeptInput.h"
-#include "Readers/NumberText.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Times.h"
 #include "Readers/VolumeFile.h"
 

@@ -7,7 +7,7 @@
 #include "Readers/Dicom/Pixels.h"
 #include "Readers/FileError.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/SegmentOverlap.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"

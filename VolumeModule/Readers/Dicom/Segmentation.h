@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_Segmentation_h
-#define Varimarch_Readers_Segmentation_h
+#ifndef Varimarch_Readers_Dicom_Segmentation_h
+#define Varimarch_Readers_Dicom_Segmentation_h
 
 #include "Readers/VolumeFile.h"
 

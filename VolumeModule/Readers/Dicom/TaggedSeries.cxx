@@ -2,7 +2,7 @@
 
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/DicomSeries.h"
-#include "Readers/Unpacked.h"
+#include "Readers/Packed/Unpacked.h"
 
 #include <filesystem>
 

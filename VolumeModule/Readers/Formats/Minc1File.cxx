@@ -1,6 +1,6 @@
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
-#include "Readers/Minc/MincFile.h"
+#include "Readers/Formats/MincFile.h"
+#include "Readers/Parsing/HeaderText.h"
 
 #include <netcdf.h>
 #include <netcdf_mem.h>

@@ -1,6 +1,6 @@
 #include "Readers/FileError.h"
-#include "Readers/Hdf5Handles.h"
-#include "Readers/Minc/MincFile.h"
+#include "Readers/Formats/MincFile.h"
+#include "Readers/Parsing/Hdf5Handles.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_Minc_MincFile_h
-#define Varimarch_Readers_Minc_MincFile_h
+#ifndef Varimarch_Readers_Formats_MincFile_h
+#define Varimarch_Readers_Formats_MincFile_h
 
 #include "Readers/VoxelLayout.h"
 

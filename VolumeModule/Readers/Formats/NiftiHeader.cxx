@@ -1,9 +1,9 @@
-#include "Readers/NiftiHeader.h"
+#include "Readers/Formats/NiftiHeader.h"
 
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/FileContent.h"
 
 #include <vtkByteSwap.h>
 

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_NiftiHeader_h
-#define Varimarch_Readers_NiftiHeader_h
+#ifndef Varimarch_Readers_Formats_NiftiHeader_h
+#define Varimarch_Readers_Formats_NiftiHeader_h
 
 #include "Readers/Rescale.h"
 

@@ -1,7 +1,7 @@
-#include "Readers/NrrdAxes.h"
+#include "Readers/Formats/NrrdAxes.h"
 
 #include "Readers/FileError.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Times.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-#ifndef Varimarch_Readers_NrrdAxes_h
-#define Varimarch_Readers_NrrdAxes_h
+#ifndef Varimarch_Readers_Formats_NrrdAxes_h
+#define Varimarch_Readers_Formats_NrrdAxes_h
 
-#include "Readers/HeaderText.h"
+#include "Readers/Parsing/HeaderText.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
 

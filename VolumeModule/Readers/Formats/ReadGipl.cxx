@@ -1,10 +1,10 @@
 // GIPL, the Guy's Image Processing Lab format: a big-endian header of 256 bytes, then the voxels.
 // The fields are those of ITK's itkGiplImageIO.cxx.
-#include "Readers/BinaryHeader.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/KeptInput.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Parsing/BinaryHeader.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 

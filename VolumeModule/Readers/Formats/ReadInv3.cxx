@@ -1,11 +1,11 @@
 // InVesalius projects: an archive, which is unpacked before, with a property list main.plist and
 // the voxels in a file that it names. See https://github.com/invesalius/invesalius3
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/Nesting.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/FileContent.h"
+#include "Readers/Parsing/Nesting.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/VoxelFile.h"
 
 #include <plist/plist.h>

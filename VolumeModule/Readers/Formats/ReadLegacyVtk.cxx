@@ -3,9 +3,9 @@
 // Legacy Formats.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/VoxelFile.h"
 
 #include <map>

@@ -2,10 +2,10 @@
 // https://itk.org/Wiki/MetaIO/Documentation
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/KeptInput.h"
-#include "Readers/NumberText.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 

@@ -1,10 +1,10 @@
 // MGH and MGZ, the format of FreeSurfer: a big-endian header of 284 bytes, then the voxels; MGZ is
 // gzipped. See https://surfer.nmr.mgh.harvard.edu/fswiki/FsTutorial/MghFormat
-#include "Readers/BinaryHeader.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/KeptInput.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Parsing/BinaryHeader.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 

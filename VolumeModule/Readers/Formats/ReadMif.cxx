@@ -2,9 +2,9 @@
 // (.mih). See https://mrtrix.readthedocs.io/en/latest/getting_started/image_data.html
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Rescale.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelFile.h"

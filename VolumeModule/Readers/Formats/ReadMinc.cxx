@@ -1,11 +1,11 @@
 // MINC 1 and 2, the formats of the Montreal Neurological Institute: netCDF and HDF5 files with the
 // same contents. Their own libraries read them.
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Formats/MincFile.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/Minc/MincFile.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/FileContent.h"
 #include "Readers/Rescale.h"
 #include "Readers/Times.h"
 

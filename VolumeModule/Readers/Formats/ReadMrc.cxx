@@ -1,10 +1,10 @@
 // MRC and CCP4 maps of electron microscopy and crystallography: a header of 1024 bytes, an extended
 // header, then the voxels. See https://www.ccpem.ac.uk/mrc_format/mrc2014.php
-#include "Readers/BinaryHeader.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/KeptInput.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Parsing/BinaryHeader.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelFile.h"
 

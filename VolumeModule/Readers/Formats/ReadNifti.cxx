@@ -1,13 +1,13 @@
 // NIfTI-1, NIfTI-2 and Analyze 7.5: one file (.nii), or a header (.hdr) with the voxels in a second
 // file (.img), optionally compressed. See https://nifti.nimh.nih.gov/nifti-1 and /nifti-2.
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Formats/NiftiHeader.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/KeptInput.h"
-#include "Readers/NiftiHeader.h"
-#include "Readers/NumberText.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Parsing/FileContent.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Rescale.h"
 #include "Readers/Times.h"
 #include "Readers/VolumeFile.h"

@@ -2,10 +2,10 @@
 // http://teem.sourceforge.net/nrrd/format.html
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Formats/NrrdAxes.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/KeptInput.h"
-#include "Readers/NrrdAxes.h"
-#include "Readers/NumberText.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Rescale.h"
 #include "Readers/SegmentOverlap.h"
 #include "Readers/Times.h"

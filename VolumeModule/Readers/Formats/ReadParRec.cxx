@@ -3,9 +3,9 @@
 // of its rotations was found by the authors of nibabel, see parrec.py there.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Rescale.h"
 #include "Readers/Times.h"
 #include "Readers/VoxelFile.h"

@@ -2,8 +2,8 @@
 // whole. See the appendix of its documentation, http://www.stereofx.org/volume.html
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/Parsing/HeaderText.h"
 #include "Readers/VoxelFile.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // than the slice. In the decoder, that could still change the voxels without a word.
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/Parsing/HeaderText.h"
 #include "Readers/VoxelLayout.h"
 
 #include <algorithm>

@@ -1,15 +1,15 @@
 // VTK's XML image data, and parallel VTK image data: an XML file that names the files of the
 // pieces, each a VTI file. VTK's own reader preserves the geometry, so it is used; its messages are
 // collected.
-#include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
 #include "Readers/ImageFacts.h"
 #include "Readers/ImageGeometry.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/VtkMessages.h"
+#include "Readers/Parsing/VtkProgress.h"
 #include "Readers/VolumeFile.h"
 #include "Readers/VoxelLayout.h"
-#include "Readers/VtkMessages.h"
-#include "Readers/VtkProgress.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>

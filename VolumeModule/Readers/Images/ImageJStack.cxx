@@ -1,7 +1,7 @@
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
 #include "Readers/Images/TiffDescription.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/Times.h"
 
 #include <vtkType.h>

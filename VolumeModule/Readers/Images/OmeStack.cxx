@@ -1,9 +1,9 @@
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
 #include "Readers/Images/TiffDescription.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
+#include "Readers/Parsing/XmlText.h"
 #include "Readers/Times.h"
-#include "Readers/XmlText.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,14 +1,14 @@
-// Stacks that private tags describe. Stacks of MetaMorph (STK) have a directory for the first plane,
-// behind which the others lie; see "MetaMorph Stack (STK) Image File Format" of Molecular Devices.
-// Files of Zeiss' laser scanning microscopes (LSM) have a page for each slice of each time, and
-// between them thumbnails; see "LSM File Format" of Zeiss.
-#include "Readers/BinaryHeader.h"
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
+// Stacks that private tags describe. Stacks of MetaMorph (STK) have a directory for the first
+// plane, behind which the others lie; see "MetaMorph Stack (STK) Image File Format" of Molecular
+// Devices. Files of Zeiss' laser scanning microscopes (LSM) have a page for each slice of each
+// time, and between them thumbnails; see "LSM File Format" of Zeiss.
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
 #include "Readers/Images/TiffDescription.h"
 #include "Readers/Images/TiffFile.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/BinaryHeader.h"
+#include "Readers/Parsing/FileContent.h"
+#include "Readers/Parsing/HeaderText.h"
 #include "Readers/Times.h"
 
 #include <algorithm>

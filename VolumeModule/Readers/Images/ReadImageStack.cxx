@@ -1,15 +1,15 @@
 // Stacks of images: one file per slice, in a folder, in the natural order of their names.
-#include "Readers/BinaryHeader.h"
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/HeaderText.h"
 #include "Readers/ImageGeometry.h"
 #include "Readers/Images/TiffFile.h"
-#include "Readers/NumberText.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/BinaryHeader.h"
+#include "Readers/Parsing/FileContent.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
+#include "Readers/Parsing/VtkMessages.h"
 #include "Readers/VoxelLayout.h"
-#include "Readers/VtkMessages.h"
 
 #include <vtkBMPReader.h>
 #include <vtkDataArray.h>

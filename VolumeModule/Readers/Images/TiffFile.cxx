@@ -1,9 +1,9 @@
 #include "Readers/Images/TiffFile.h"
 
-#include "Readers/BinaryHeader.h"
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/BinaryHeader.h"
+#include "Readers/Parsing/FileContent.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkByteSwap.h>

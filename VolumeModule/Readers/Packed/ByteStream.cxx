@@ -1,4 +1,4 @@
-#include "Readers/ByteStream.h"
+#include "Readers/Packed/ByteStream.h"
 
 #include "Readers/FileError.h"
 

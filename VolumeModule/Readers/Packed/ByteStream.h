@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_ByteStream_h
-#define Varimarch_Readers_ByteStream_h
+#ifndef Varimarch_Readers_Packed_ByteStream_h
+#define Varimarch_Readers_Packed_ByteStream_h
 
 #include <cstddef>
 #include <cstdint>

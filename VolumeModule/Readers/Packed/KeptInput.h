@@ -1,9 +1,9 @@
-#ifndef Varimarch_Readers_KeptInput_h
-#define Varimarch_Readers_KeptInput_h
+#ifndef Varimarch_Readers_Packed_KeptInput_h
+#define Varimarch_Readers_Packed_KeptInput_h
 
-#include "Readers/ByteStream.h"
 #include "Readers/Dicom/DicomSeries.h"
-#include "Readers/Unpacked.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Packed/Unpacked.h"
 
 #include <array>
 #include <map>

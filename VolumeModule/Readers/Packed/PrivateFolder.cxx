@@ -1,4 +1,4 @@
-#include "Readers/PrivateFolder.h"
+#include "Readers/Packed/PrivateFolder.h"
 
 #include "Readers/FileError.h"
 #include "Readers/VoxelLayout.h"

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_PrivateFolder_h
-#define Varimarch_Readers_PrivateFolder_h
+#ifndef Varimarch_Readers_Packed_PrivateFolder_h
+#define Varimarch_Readers_Packed_PrivateFolder_h
 
 #include "VarimarchVolumeModule.h"
 

@@ -1,13 +1,13 @@
 // Packed volumes: archives, compressed files, and folders that hold a volume in files of any
 // format. What is packed is unpacked into a private folder, and read from there.
-#include "Readers/Unpacked.h"
+#include "Readers/Packed/Unpacked.h"
 
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/KeptInput.h"
-#include "Readers/Unpacking.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Packed/KeptInput.h"
+#include "Readers/Packed/Unpacking.h"
+#include "Readers/Parsing/FileContent.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
-#ifndef Varimarch_Readers_Unpacked_h
-#define Varimarch_Readers_Unpacked_h
+#ifndef Varimarch_Readers_Packed_Unpacked_h
+#define Varimarch_Readers_Packed_Unpacked_h
 
-#include "Readers/PrivateFolder.h"
+#include "Readers/Packed/PrivateFolder.h"
 #include "Readers/VolumeFile.h"
 
 #include <memory>

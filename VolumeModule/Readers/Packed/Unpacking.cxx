@@ -1,9 +1,9 @@
 // libarchive opens archives, zlib and libarchive decompress.
-#include "Readers/Unpacking.h"
+#include "Readers/Packed/Unpacking.h"
 
-#include "Readers/ByteStream.h"
-#include "Readers/FileContent.h"
 #include "Readers/FileError.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/FileContent.h"
 #include "Readers/VoxelLayout.h"
 
 #include <archive.h>
@@ -22,8 +22,6 @@ namespace varimarch
 {
 namespace
 {
-
-struct archive;
 
 /// An archive or a compressed stream that libarchive reads. The caller enables the formats and
 /// filters that it expects, then opens it.

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_Unpacking_h
-#define Varimarch_Readers_Unpacking_h
+#ifndef Varimarch_Readers_Packed_Unpacking_h
+#define Varimarch_Readers_Packed_Unpacking_h
 
 #include "Readers/VolumeFile.h"
 

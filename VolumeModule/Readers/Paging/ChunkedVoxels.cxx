@@ -1,8 +1,8 @@
-#include "Readers/ChunkedVoxels.h"
+#include "Readers/Paging/ChunkedVoxels.h"
 
 #include "Core/Fields/VolumeSummary.h"
 #include "Readers/FileError.h"
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 #include "Readers/VoxelLayout.h"
 
 #include <fcntl.h>

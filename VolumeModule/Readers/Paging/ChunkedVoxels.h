@@ -1,8 +1,8 @@
-#ifndef Varimarch_Readers_ChunkedVoxels_h
-#define Varimarch_Readers_ChunkedVoxels_h
+#ifndef Varimarch_Readers_Paging_ChunkedVoxels_h
+#define Varimarch_Readers_Paging_ChunkedVoxels_h
 
 #include "Core/Blocks/VoxelUnits.h"
-#include "Readers/PagedVoxels.h"
+#include "Readers/Paging/PagedVoxels.h"
 
 #include <cstddef>
 #include <memory>

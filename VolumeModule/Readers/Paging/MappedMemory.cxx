@@ -1,4 +1,4 @@
-#include "Readers/MappedMemory.h"
+#include "Readers/Paging/MappedMemory.h"
 
 #include "Core/Blocks/ReadingGate.h"
 

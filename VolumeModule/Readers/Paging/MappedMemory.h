@@ -1,8 +1,8 @@
-#ifndef Varimarch_Readers_MappedMemory_h
-#define Varimarch_Readers_MappedMemory_h
+#ifndef Varimarch_Readers_Paging_MappedMemory_h
+#define Varimarch_Readers_Paging_MappedMemory_h
 
 #include "Core/Fields/VolumeSummary.h"
-#include "Readers/PagedVoxels.h"
+#include "Readers/Paging/PagedVoxels.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,11 +1,11 @@
-#include "Readers/MappedVoxels.h"
+#include "Readers/Paging/MappedVoxels.h"
 
 #include "Core/Blocks/BrickSource.h"
 #include "Readers/FileError.h"
-#include "Readers/MappedMemory.h"
-#include "Readers/PagedVoxels.h"
-#include "Readers/Preview.h"
-#include "Readers/SummaryFile.h"
+#include "Readers/Paging/MappedMemory.h"
+#include "Readers/Paging/PagedVoxels.h"
+#include "Readers/Paging/Preview.h"
+#include "Readers/Paging/SummaryFile.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>

@@ -1,7 +1,7 @@
-#ifndef Varimarch_Readers_MappedVoxels_h
-#define Varimarch_Readers_MappedVoxels_h
+#ifndef Varimarch_Readers_Paging_MappedVoxels_h
+#define Varimarch_Readers_Paging_MappedVoxels_h
 
-#include "Readers/PagedVoxels.h"
+#include "Readers/Paging/PagedVoxels.h"
 #include "Readers/VoxelFile.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
-#include "Readers/PagedPyramid.h"
+#include "Readers/Paging/PagedPyramid.h"
 
-#include "Readers/ChunkedVoxels.h"
-#include "Readers/MappedVoxels.h"
+#include "Readers/Paging/ChunkedVoxels.h"
+#include "Readers/Paging/MappedVoxels.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkDataArray.h>

@@ -1,10 +1,10 @@
-#ifndef Varimarch_Readers_PagedPyramid_h
-#define Varimarch_Readers_PagedPyramid_h
+#ifndef Varimarch_Readers_Paging_PagedPyramid_h
+#define Varimarch_Readers_Paging_PagedPyramid_h
 
 #include "Core/Fields/VolumeSummary.h"
 #include "Readers/Decoder/DecodedPyramid.h"
-#include "Readers/PagedVoxels.h"
-#include "Readers/SummaryFile.h"
+#include "Readers/Paging/PagedVoxels.h"
+#include "Readers/Paging/SummaryFile.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_PagedVoxels_h
-#define Varimarch_Readers_PagedVoxels_h
+#ifndef Varimarch_Readers_Paging_PagedVoxels_h
+#define Varimarch_Readers_Paging_PagedVoxels_h
 
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>

@@ -1,4 +1,4 @@
-#include "Readers/Preview.h"
+#include "Readers/Paging/Preview.h"
 
 #include <vtkDataArray.h>
 

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_Preview_h
-#define Varimarch_Readers_Preview_h
+#ifndef Varimarch_Readers_Paging_Preview_h
+#define Varimarch_Readers_Paging_Preview_h
 
 #include "Core/Blocks/BrickSource.h"
 #include "Readers/VoxelFile.h"

@@ -1,4 +1,4 @@
-#include "Readers/SummaryFile.h"
+#include "Readers/Paging/SummaryFile.h"
 
 #include "Readers/FileError.h"
 #include "Readers/VoxelLayout.h"

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_SummaryFile_h
-#define Varimarch_Readers_SummaryFile_h
+#ifndef Varimarch_Readers_Paging_SummaryFile_h
+#define Varimarch_Readers_Paging_SummaryFile_h
 
 #include "Core/Fields/VolumeSummary.h"
 #include "Readers/VolumeFile.h"

@@ -1,7 +1,7 @@
-#include "Readers/BinaryHeader.h"
+#include "Readers/Parsing/BinaryHeader.h"
 
-#include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
+#include "Readers/Packed/ByteStream.h"
 
 #include <vtkByteSwap.h>
 

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_BinaryHeader_h
-#define Varimarch_Readers_BinaryHeader_h
+#ifndef Varimarch_Readers_Parsing_BinaryHeader_h
+#define Varimarch_Readers_Parsing_BinaryHeader_h
 
 #include <glm/vec3.hpp>
 

@@ -1,8 +1,8 @@
-#include "Readers/FileContent.h"
+#include "Readers/Parsing/FileContent.h"
 
-#include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Packed/ByteStream.h"
 
 #include <algorithm>
 #include <cctype>

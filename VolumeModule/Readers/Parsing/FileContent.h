@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_FileContent_h
-#define Varimarch_Readers_FileContent_h
+#ifndef Varimarch_Readers_Parsing_FileContent_h
+#define Varimarch_Readers_Parsing_FileContent_h
 
 #include <cstddef>
 #include <functional>

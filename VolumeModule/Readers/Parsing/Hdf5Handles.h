@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_Hdf5Handles_h
-#define Varimarch_Readers_Hdf5Handles_h
+#ifndef Varimarch_Readers_Parsing_Hdf5Handles_h
+#define Varimarch_Readers_Parsing_Hdf5Handles_h
 
 #include <hdf5.h>
 

@@ -1,8 +1,8 @@
-#include "Readers/HeaderText.h"
+#include "Readers/Parsing/HeaderText.h"
 
-#include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
-#include "Readers/NumberText.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/NumberText.h"
 #include "Readers/VoxelLayout.h"
 
 #include <vtkType.h>

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_HeaderText_h
-#define Varimarch_Readers_HeaderText_h
+#ifndef Varimarch_Readers_Parsing_HeaderText_h
+#define Varimarch_Readers_Parsing_HeaderText_h
 
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_Nesting_h
-#define Varimarch_Readers_Nesting_h
+#ifndef Varimarch_Readers_Parsing_Nesting_h
+#define Varimarch_Readers_Parsing_Nesting_h
 
 #include <cstddef>
 #include <string>

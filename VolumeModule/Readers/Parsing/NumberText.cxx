@@ -1,4 +1,4 @@
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/NumberText.h"
 
 #include "Readers/FileError.h"
 

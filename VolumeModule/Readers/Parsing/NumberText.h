@@ -1,7 +1,7 @@
-#ifndef Varimarch_Readers_NumberText_h
-#define Varimarch_Readers_NumberText_h
+#ifndef Varimarch_Readers_Parsing_NumberText_h
+#define Varimarch_Readers_Parsing_NumberText_h
 
-#include "Readers/ByteStream.h"
+#include "Readers/Packed/ByteStream.h"
 #include "Readers/VolumeFile.h"
 
 #include <cstdint>

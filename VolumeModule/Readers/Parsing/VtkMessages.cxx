@@ -1,4 +1,4 @@
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include "Readers/FileError.h"
 

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_VtkMessages_h
-#define Varimarch_Readers_VtkMessages_h
+#ifndef Varimarch_Readers_Parsing_VtkMessages_h
+#define Varimarch_Readers_Parsing_VtkMessages_h
 
 #include "VarimarchVolumeModule.h"
 

@@ -1,4 +1,4 @@
-#include "Readers/VtkProgress.h"
+#include "Readers/Parsing/VtkProgress.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>

@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_VtkProgress_h
-#define Varimarch_Readers_VtkProgress_h
+#ifndef Varimarch_Readers_Parsing_VtkProgress_h
+#define Varimarch_Readers_Parsing_VtkProgress_h
 
 #include "Readers/VolumeFile.h"
 

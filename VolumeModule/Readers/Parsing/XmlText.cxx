@@ -1,8 +1,8 @@
-#include "Readers/XmlText.h"
+#include "Readers/Parsing/XmlText.h"
 
 #include "Readers/FileError.h"
-#include "Readers/Nesting.h"
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/Nesting.h"
+#include "Readers/Parsing/VtkMessages.h"
 
 #include <vtkNew.h>
 #include <vtkXMLDataParser.h>

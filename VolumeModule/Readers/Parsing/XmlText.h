@@ -1,5 +1,5 @@
-#ifndef Varimarch_Readers_XmlText_h
-#define Varimarch_Readers_XmlText_h
+#ifndef Varimarch_Readers_Parsing_XmlText_h
+#define Varimarch_Readers_Parsing_XmlText_h
 
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>

@@ -1,7 +1,7 @@
 #include "Readers/Pyramids/ArrayAxes.h"
 
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
+#include "Readers/Parsing/HeaderText.h"
 #include "Readers/Times.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Readers_Pyramids_Hdf5File_h
 #define Varimarch_Readers_Pyramids_Hdf5File_h
 
-#include "Readers/Hdf5Handles.h"
+#include "Readers/Parsing/Hdf5Handles.h"
 
 #include <cstdint>
 #include <string>

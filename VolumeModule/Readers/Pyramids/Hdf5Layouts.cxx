@@ -1,12 +1,12 @@
 #include "Readers/Pyramids/Hdf5Layouts.h"
 
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
-#include "Readers/NumberText.h"
+#include "Readers/Parsing/HeaderText.h"
+#include "Readers/Parsing/NumberText.h"
+#include "Readers/Parsing/XmlText.h"
 #include "Readers/Pyramids/Hdf5File.h"
 #include "Readers/Pyramids/Json.h"
 #include "Readers/Times.h"
-#include "Readers/XmlText.h"
 
 #include <vtkType.h>
 

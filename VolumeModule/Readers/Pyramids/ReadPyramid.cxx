@@ -1,10 +1,10 @@
 // Volumes in levels, read as a whole: OME-Zarr and HDF5.
-#include "Readers/ChunkedVoxels.h"
 #include "Readers/Decoder/DecodedPyramid.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
-#include "Readers/PagedPyramid.h"
-#include "Readers/Preview.h"
+#include "Readers/Paging/ChunkedVoxels.h"
+#include "Readers/Paging/PagedPyramid.h"
+#include "Readers/Paging/Preview.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/Pyramids/ZarrHeader.h"
 #include "Readers/VoxelLayout.h"

@@ -1,8 +1,8 @@
 #include "Readers/Pyramids/ZarrArray.h"
 
-#include "Readers/ByteStream.h"
 #include "Readers/FileError.h"
-#include "Readers/HeaderText.h"
+#include "Readers/Packed/ByteStream.h"
+#include "Readers/Parsing/HeaderText.h"
 #include "Readers/VoxelFile.h"
 
 #include <vtkByteSwap.h>

@@ -1,8 +1,8 @@
 #include "Scene/Looks/LookFormats/LookContext.h"
 
 #include "Core/Look/ValueRange.h"
-#include "Readers/Nesting.h"
-#include "Readers/VtkMessages.h"
+#include "Readers/Parsing/Nesting.h"
+#include "Readers/Parsing/VtkMessages.h"
 #include "Scene/Looks/VolumeProperty.h"
 
 #include <vtkDataArray.h>

@@ -1,6 +1,6 @@
 #include "Scene/Looks/LookFormats/LookFormats.h"
 
-#include "Readers/Nesting.h"
+#include "Readers/Parsing/Nesting.h"
 #include "Scene/Json/JsonCursor.h"
 
 #include <plist/plist.h>

@@ -1,7 +1,6 @@
 // The program that decodes files for a reader, which starts it and speaks with it through inherited
 // descriptors. Libraries that others maintain parse the files here, so that a file at which one of
 // them crashes takes down this process only.
-#include "Readers/ByteStream.h"
 #include "Readers/Decoder/Channel.h"
 #include "Readers/Decoder/Fields.h"
 #include "Readers/Decoder/ImageForm.h"
@@ -12,6 +11,7 @@
 #include "Readers/Dicom/Segmentation.h"
 #include "Readers/FileError.h"
 #include "Readers/Formats.h"
+#include "Readers/Packed/ByteStream.h"
 #include "Readers/Pyramids/VoxelPyramid.h"
 #include "Readers/VolumeFile.h"
 
@@ -419,18 +419,17 @@ void Confine()
 }
 
 /// Performs jobs until the reader ends.
-[[noreturn]] void Serve(varimarch::Replies& replies)
+[[noreturn]] void Serve(Replies& replies)
 {
-  using varimarch::MessageKind;
-  replies.Send(MessageKind::Hello, varimarch::DecoderVersion());
+  replies.Send(MessageKind::Hello, DecoderVersion());
   for (;;)
   {
     const std::string job = replies.NextJob();
     try
     {
-      varimarch::PerformJob(job, replies);
+      PerformJob(job, replies);
     }
-    catch (const varimarch::ReadCancelled&)
+    catch (const ReadCancelled&)
     {
       replies.Send(MessageKind::Cancelled);
     }
@@ -457,11 +456,11 @@ int main()
     std::fprintf(stderr, "varimarch-decode is started by the readers of volume files only.\n");
     return 2;
   }
-  Confine();
+  varimarch::Confine();
   try
   {
     varimarch::Replies replies(varimarch::DecoderSocket, varimarch::DecoderMemory);
-    Serve(replies);
+    varimarch::Serve(replies);
   }
   catch (const varimarch::ChannelClosed&)
   {
