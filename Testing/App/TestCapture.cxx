@@ -1,4 +1,4 @@
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Scene/Images/OffscreenView.h"
 #include "Scene/Looks/Presets.h"
 #include "Scene/Volumes/ProceduralVolume.h"

@@ -1,6 +1,6 @@
 // The preset that a file gets by itself shows something of it, whatever its format and size.
 
-#include "Module/GoodFiles.h"
+#include "Module/Files/GoodFiles.h"
 #include "Scene/Images/OffscreenView.h"
 #include "Scene/Looks/Presets.h"
 #include "Scene/Looks/VolumeProperty.h"

@@ -1,6 +1,6 @@
 // A folder that is written is whole under its final name at all times.
 
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Scene/Files/OutputFile.h"
 
 #include <gtest/gtest.h>

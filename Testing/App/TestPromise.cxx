@@ -3,7 +3,7 @@
 // VARIMARCH_PROMISE_SCENES is the number of scenes, VARIMARCH_PROMISE_SEED the first seed;
 // varimarch-bench promise draws more, and a scene that fails alone.
 
-#include "Module/Dice.h"
+#include "Module/Scenes/Dice.h"
 #include "Promise/PromiseRun.h"
 #include "Support/ExpectedVtkErrors.h"
 

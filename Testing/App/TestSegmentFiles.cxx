@@ -1,6 +1,6 @@
 // Segments are read back as they were written, on the grid of the scan.
 
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Scene/Segments/LabelMap.h"
 #include "Scene/Volumes/ProceduralVolume.h"
 

@@ -3,7 +3,7 @@
 #include "Fuzz/FuzzInput.h"
 #include "Fuzz/FuzzTarget.h"
 #include "Fuzz/ReadInput.h"
-#include "Module/PhantomDicom.h"
+#include "Module/Files/PhantomDicom.h"
 
 #include <gdcmImageChangeTransferSyntax.h>
 #include <gdcmImageReader.h>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_Fuzz_FuzzInput_h
 #define Varimarch_Testing_Fuzz_FuzzInput_h
 
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 #include "Fuzz/VolumeSeeds.h"
 
 #include "Fuzz/FuzzInput.h"
-#include "Module/GoodFiles.h"
-#include "Module/PhantomLibraryFiles.h"
+#include "Module/Files/GoodFiles.h"
+#include "Module/Files/PhantomLibraryFiles.h"
 
 #include <vtkXMLWriter.h>
 

@@ -1,8 +1,8 @@
 #include "Fuzz/VolumeSeeds.h"
 
 #include "Fuzz/FuzzInput.h"
-#include "Module/GoodFiles.h"
-#include "Module/PhantomFormats.h"
+#include "Module/Files/GoodFiles.h"
+#include "Module/Files/PhantomFormats.h"
 
 #include <vtkType.h>
 

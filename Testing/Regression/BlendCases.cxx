@@ -1,8 +1,8 @@
 #include "Regression/RegressionCase.h"
 
-#include "Module/ProcessorMarching.h"
-#include "Module/SliceTruth.h"
-#include "Module/UsualSettings.h"
+#include "Module/Scenes/ProcessorMarching.h"
+#include "Module/Scenes/SliceTruth.h"
+#include "Module/Scenes/UsualSettings.h"
 
 #include <vtkImplicitFunction.h>
 #include <vtkPlane.h>

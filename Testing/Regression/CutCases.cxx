@@ -1,8 +1,8 @@
 #include "Regression/RegressionCase.h"
 
-#include "Module/ProcessorMarching.h"
-#include "Module/ReferenceMaterials.h"
-#include "Module/UsualSettings.h"
+#include "Module/Scenes/ProcessorMarching.h"
+#include "Module/Scenes/ReferenceMaterials.h"
+#include "Module/Scenes/UsualSettings.h"
 
 #include <vtkPlane.h>
 

@@ -2,9 +2,9 @@
 
 #include "Core/Geometry/Box.h"
 #include "Frame/VolumeGeometry.h"
-#include "Module/HomogeneousScene.h"
-#include "Module/ProcessorMarching.h"
-#include "Module/SupersampledTruth.h"
+#include "Module/Scenes/HomogeneousScene.h"
+#include "Module/Scenes/ProcessorMarching.h"
+#include "Module/Scenes/SupersampledTruth.h"
 
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkShaderProperty.h>

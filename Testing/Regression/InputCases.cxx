@@ -1,9 +1,9 @@
 #include "Regression/RegressionCase.h"
 
-#include "Module/ComponentVolumes.h"
-#include "Module/ProcessorMarching.h"
-#include "Module/ReferenceMixture.h"
-#include "Module/UnevenGrid.h"
+#include "Module/Scenes/ComponentVolumes.h"
+#include "Module/Scenes/ProcessorMarching.h"
+#include "Module/Scenes/ReferenceMixture.h"
+#include "Module/Scenes/UnevenGrid.h"
 #include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>

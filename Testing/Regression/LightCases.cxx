@@ -1,11 +1,11 @@
 #include "Regression/RegressionCase.h"
 
-#include "Module/CubicScene.h"
-#include "Module/LabelledTorso.h"
-#include "Module/ProcessorMarching.h"
-#include "Module/ReferenceMaterials.h"
-#include "Module/ReferenceMixture.h"
-#include "Module/UsualSettings.h"
+#include "Module/Scenes/CubicScene.h"
+#include "Module/Scenes/LabelledTorso.h"
+#include "Module/Scenes/ProcessorMarching.h"
+#include "Module/Scenes/ReferenceMaterials.h"
+#include "Module/Scenes/ReferenceMixture.h"
+#include "Module/Scenes/UsualSettings.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationDoubleKey.h>

@@ -1,8 +1,8 @@
 #ifndef Varimarch_Testing_RegressionCase_h
 #define Varimarch_Testing_RegressionCase_h
 
-#include "Module/MapperScene.h"
-#include "Module/OverlapScene.h"
+#include "Module/Scenes/MapperScene.h"
+#include "Module/Scenes/OverlapScene.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

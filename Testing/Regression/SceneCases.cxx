@@ -1,7 +1,7 @@
 #include "Regression/RegressionCase.h"
 
-#include "Module/HomogeneousScene.h"
-#include "Module/OverlapLight.h"
+#include "Module/Scenes/HomogeneousScene.h"
+#include "Module/Scenes/OverlapLight.h"
 
 #include <vtkPlane.h>
 #include <vtkProperty.h>

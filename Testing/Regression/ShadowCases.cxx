@@ -3,9 +3,9 @@
 #include "Regression/RegressionCase.h"
 
 #include "Frame/VolumeGeometry.h"
-#include "Module/CasterTruth.h"
-#include "Module/HomogeneousScene.h"
-#include "Module/UsualSettings.h"
+#include "Module/Scenes/CasterTruth.h"
+#include "Module/Scenes/HomogeneousScene.h"
+#include "Module/Scenes/UsualSettings.h"
 
 #include <vtkLight.h>
 #include <vtkLightCollection.h>

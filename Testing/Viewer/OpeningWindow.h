@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_OpeningWindow_h
 #define Varimarch_Testing_OpeningWindow_h
 
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Viewer/MainWindow.h"
 #include "Waiting.h"
 

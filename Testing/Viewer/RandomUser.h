@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_RandomUser_h
 #define Varimarch_Testing_RandomUser_h
 
-#include "Module/Dice.h"
+#include "Module/Scenes/Dice.h"
 #include "Viewer/MainWindow.h"
 
 #include <QList>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_ScanOfPatient_h
 #define Varimarch_Testing_ScanOfPatient_h
 
-#include "Module/PhantomDicom.h"
+#include "Module/Files/PhantomDicom.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "TaskScans.h"
 
-#include "Module/PhantomDicom.h"
+#include "Module/Files/PhantomDicom.h"
 #include "Scene/Volumes/ProceduralVolume.h"
 
 #include <vtkDataArray.h>

@@ -1,7 +1,7 @@
 #ifndef Varimarch_Testing_TaskScans_h
 #define Varimarch_Testing_TaskScans_h
 
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 // has a name, keys reach it, and nothing is cut off in letters of twice the size.
 
 #include "LabelledStudy.h"
-#include "Module/PhantomDicom.h"
+#include "Module/Files/PhantomDicom.h"
 #include "OverlaidStudy.h"
 #include "TorsoWindow.h"
 #include "Viewer/Archives/ArchiveChoice.h"

@@ -4,7 +4,7 @@
 #include "Archive/Archive.h"
 #include "FakeDimseArchive.h"
 #include "FakeWebArchive.h"
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Readers/Packed/PrivateFolder.h"
 #include "Scene/Volumes/VolumeLoading.h"
 #include "Viewer/Archives/ArchiveChoice.h"

@@ -1,6 +1,6 @@
 // Views that are marked for the report.
 
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "ScanOfTimes.h"
 #include "Scene/Json/SceneFile.h"
 #include "SmallStudy.h"

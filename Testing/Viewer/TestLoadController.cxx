@@ -2,7 +2,7 @@
 // its result what the request says.
 
 #include "LabelledStudy.h"
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "SilentFile.h"
 #include "SmallStudy.h"
 #include "Viewer/Model/RecentScans.h"

@@ -1,7 +1,7 @@
 // Questions before opening a file, warnings, and protection of the patient's data.
 
 #include "Answers.h"
-#include "Module/PhantomSegmentation.h"
+#include "Module/Files/PhantomSegmentation.h"
 #include "OpeningWindow.h"
 #include "SilentFile.h"
 #include "Viewer/Model/Log.h"

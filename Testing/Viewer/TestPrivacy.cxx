@@ -2,7 +2,7 @@
 // patient of the scan. What the user asked for, such as a session, may hold the path of the scan.
 
 #include "Answers.h"
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Scene/Looks/LookFiles.h"
 #include "Scene/Looks/Presets.h"
 #include "Viewer/MainWindow.h"

@@ -2,7 +2,7 @@
 
 #include "Answers.h"
 #include "LabelledStudy.h"
-#include "Module/PhantomSegmentation.h"
+#include "Module/Files/PhantomSegmentation.h"
 #include "OverlaidStudy.h"
 #include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 #include "TorsoWindow.h"

@@ -1,8 +1,8 @@
 // An image is sent to an archive from the window, with or without the patient.
 
 #include "FakeWebArchive.h"
-#include "Module/PhantomDicom.h"
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomDicom.h"
+#include "Module/Files/PhantomFiles.h"
 #include "ScanOfPatient.h"
 #include "Scene/Volumes/Placing.h"
 #include "Viewer/Archives/ArchiveChoice.h"

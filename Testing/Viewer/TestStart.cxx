@@ -1,7 +1,7 @@
 // The notice and the question of a window that starts.
 
 #include "Answers.h"
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Viewer/MainWindow.h"
 #include "Waiting.h"
 

@@ -1,7 +1,7 @@
 // The list of studies: its file, and its window, operated as a user does.
 
 #include "Answers.h"
-#include "Module/PhantomDicom.h"
+#include "Module/Files/PhantomDicom.h"
 #include "Readers/VolumeFile.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Studies/StudyListWindow.h"

@@ -1,6 +1,6 @@
 // The window of DICOM attributes, operated as a user does.
 
-#include "Module/PhantomDicom.h"
+#include "Module/Files/PhantomDicom.h"
 #include "Viewer/Open/TagsWindow.h"
 #include "Waiting.h"
 

@@ -1,7 +1,7 @@
 // A scan of several times in the window: chosen, played, kept in sessions.
 
 #include "Answers.h"
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "ScanOfTimes.h"
 #include "Scene/Json/SceneFile.h"
 #include "Scene/Model/SceneCuts.h"

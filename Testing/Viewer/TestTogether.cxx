@@ -1,6 +1,6 @@
 // Files that are opened together, and a single image of a series.
 
-#include "Module/PhantomFiles.h"
+#include "Module/Files/PhantomFiles.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Open/SeriesPicker.h"
 #include "Viewer/Open/WarningBar.h"

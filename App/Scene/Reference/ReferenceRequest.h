@@ -2,7 +2,6 @@
 #define Varimarch_Scene_ReferenceRequest_h
 
 #include "Core/Geometry/Box.h"
-#include "Core/Reference/ReferenceImage.h"
 #include "Core/Reference/ReferenceIntegrator.h"
 #include "Frame/VolumeGeometry.h"
 #include "Scene/Model/Scene.h"

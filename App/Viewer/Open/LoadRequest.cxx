@@ -2,7 +2,7 @@
 
 #include "Readers/Decoder/DecoderSession.h"
 #include "Readers/Dicom/FileSearch.h"
-#include "Readers/Dicom/Record.h"
+#include "Readers/Dicom/Metadata.h"
 #include "Scene/Json/SceneFile.h"
 #include "Viewer/Model/RecentScans.h"
 #include "Viewer/Model/StudyTimes.h"

@@ -1,7 +1,7 @@
 #include "Viewer/Open/WarningBar.h"
 
 #include "Readers/Decoder/DecoderSession.h"
-#include "Readers/Dicom/Record.h"
+#include "Readers/Dicom/Metadata.h"
 #include "Scene/Model/Scene.h"
 #include "Scene/Slices/SlicePicture.h"
 #include "Viewer/Model/RecentScans.h"
