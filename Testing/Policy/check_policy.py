@@ -24,10 +24,10 @@ LONGEST_FILE_LINES = 700
 LONGEST_FUNCTION_LINES = 60
 MOST_LEVELS_OF_CONTROL_FLOW = 3
 # Statements of today that are nested deeper. The number may only fall.
-MOST_DEEPER_STATEMENTS = 37
+MOST_DEEPER_STATEMENTS = 35
 LONGEST_HEADER_OF_ONE_FILE = 79
 # Headers of today that belong into the one file that includes them. The number may only fall.
-MOST_SMALL_HEADERS_OF_ONE_FILE = 167
+MOST_SMALL_HEADERS_OF_ONE_FILE = 39
 LONGEST_SUBJECT = 72
 MOST_FILES_WITHOUT_BODY = 5
 CODE = {".h", ".cxx", ".in", ".glsl", ".py", ".sh", ".cmake"}

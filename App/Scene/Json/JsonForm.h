@@ -24,7 +24,7 @@ struct FieldDescription
   std::string usual;   ///< the default in words
   std::string details; ///< goes on after the meaning, in documents only
   bool isRequired = false;
-  std::string option;      ///< of the command line, such as "--zoom"; empty: none
+  std::string option;      ///< the option of the command line, such as "--zoom"; empty: none
   std::string optionValue; ///< placeholder of its value in the help
   bool isArgument = false; ///< true: an argument of Python's render(), named after the option
   nlohmann::ordered_json schema;
