@@ -1,5 +1,6 @@
 #include "Viewer/Panels/LightsPanel.h"
 
+#include "Scene/Looks/Presets.h"
 #include "Scene/Model/SceneCuts.h"
 #include "Scene/Model/SceneLights.h"
 #include "Viewer/Dialogs.h"

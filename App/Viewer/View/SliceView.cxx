@@ -32,7 +32,7 @@ namespace varimarch
 namespace
 {
 
-constexpr double ZoomPerNotch = 1.15;
+constexpr double SliceZoomPerNotch = 1.15;
 
 }
 
@@ -315,7 +315,8 @@ void SliceView::keyPressEvent(QKeyEvent* event)
 
 void SliceView::Zoom(double notches)
 {
-  this->zoom.factor = std::clamp(this->zoom.factor * std::pow(ZoomPerNotch, notches), 0.2, 50.0);
+  this->zoom.factor =
+    std::clamp(this->zoom.factor * std::pow(SliceZoomPerNotch, notches), 0.2, 50.0);
   this->update();
 }
 
