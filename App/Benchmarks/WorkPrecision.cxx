@@ -84,10 +84,8 @@ struct OrbitingView
   }
 };
 
-// Draws the same orbit with all methods, and with our mapper at eight samples per voxel as the
-// fine frames. The cameras are as before afterwards.
-// @param views   methods with their settings
-// @param frames  at least 2
+}
+
 std::vector<OrbitChange> ChangesInOrbit(const std::vector<MethodView*>& views, const Scene& scene,
   vtkImageData* image, int frames, const OnStep& onStep)
 {
@@ -118,6 +116,9 @@ std::vector<OrbitChange> ChangesInOrbit(const std::vector<MethodView*>& views, c
   }
   return summaries;
 }
+
+namespace
+{
 
 /// Measures one method on a scene.
 struct Runner

@@ -34,6 +34,13 @@ constexpr double OrbitDegrees = 90.0;
 /// @param changes  one for each frame but the first, at least one
 OrbitChange SummaryOf(const std::vector<double>& changes);
 
+/// Draws the same orbit with all methods, and with our mapper at eight samples per voxel as the
+/// fine frames. The cameras are as before afterwards.
+/// @param views   methods with their settings
+/// @param frames  at least 2
+std::vector<OrbitChange> ChangesInOrbit(const std::vector<MethodView*>& views, const Scene& scene,
+  vtkImageData* image, int frames, const OnStep& onStep);
+
 /// The time and error of one setting of a method.
 struct WorkPoint
 {

@@ -209,9 +209,8 @@ TEST(Slices, OfTheStackPopWhereItChanges)
   Scene settings = SoftScene(false);
   settings.camera.azimuthDegrees = settings.camera.elevationDegrees = 0.0;
   const auto image = Torso();
-  const BenchMethod object = { "object", "", MapperKind::VarimarchShaders, {},
-    Mapper::ObjectSlices };
-  const BenchMethod view = { "view", "", MapperKind::VarimarchShaders, {}, Mapper::ViewSlices };
+  const BenchMethod object = { "object", "", MapperKind::VarimarchShaders, Mapper::ObjectSlices };
+  const BenchMethod view = { "view", "", MapperKind::VarimarchShaders, Mapper::ViewSlices };
   MethodView objectView(object, settings, image);
   MethodView viewView(view, settings, image);
   const RenderOptions options = AtDistance(image, 1.0, {}).options;

@@ -4,6 +4,7 @@
 #include "Core/Quality/StepSearch.h"
 #include "March/SearchFacts.h"
 #include "March/TrialImages.h"
+#include "VarimarchVolumeModule.h" // for the export macro
 
 #include <list>
 #include <optional>
@@ -29,7 +30,8 @@ public:
   void Take(const ToleranceInputs& inputs, ToleranceChoice made);
   /// The steps of a volume of which nothing but these facts and its trial images is known, without
   /// those of earlier images. The choice has no inputs.
-  static ToleranceChoice ChooseAnew(const SearchFacts& facts, const TrialDrawing& draw);
+  VARIMARCHVOLUME_EXPORT static ToleranceChoice ChooseAnew(
+    const SearchFacts& facts, const TrialDrawing& draw);
 
   /// The choice for the last image. Empty if it had no tolerance.
   const std::optional<ToleranceChoice>& Choice() const { return this->choice; }
