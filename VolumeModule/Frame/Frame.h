@@ -14,7 +14,9 @@
 #include "Frame/VolumeGeometry.h"
 #include "Frame/VoxelInput.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include <array>
@@ -31,13 +33,20 @@ class vtkVolumeProperty;
 namespace varimarch
 {
 
-/// The window, renderer and pixels that a frame is drawn to. The objects belong to the caller.
+/// The window, renderer and pixels that a frame is drawn to, and its camera as it is when the frame
+/// is built. The objects belong to the caller. The renderer serves to build further frames of the
+/// view, to tell views apart, and to draw VTK's translucent geometry.
 struct FrameView
 {
   vtkOpenGLRenderWindow* window = nullptr;
   vtkRenderer* renderer = nullptr;
   vtkVolume* prop = nullptr; ///< The prop whose mapper draws; a vtkMultiVolume has several volumes.
   Viewport viewport = {};    ///< The pixels of the framebuffer.
+  Viewport inWindow = {}; ///< The same pixels in the window: a pass may have another framebuffer.
+  glm::dmat4 clipFromWorld = glm::dmat4(1.0); ///< See ClipFromWorld.
+  glm::dvec3 eyeWorld = glm::dvec3(0.0);      ///< The camera's position, in any projection.
+  glm::dvec3 forwardWorld = glm::dvec3(0.0);  ///< The camera's direction of projection.
+  bool isLeftEye = true;
 };
 
 /// The look of a volume's values, apart from the choices in RenderSettings.
@@ -154,6 +163,11 @@ struct Frame
   std::shared_ptr<const BlockLevels> blockLevels; ///< null without coarser levels
   int levelRound = 0;    ///< tells the levels of an image from those of others of the same scene
   bool voxelsFit = true; ///< False if the voxels that are drawn may not fit in the memory for them.
+
+  glm::dmat4 ClipFromGrid() const
+  {
+    return this->view.clipFromWorld * this->geometry.worldFromGrid;
+  }
 };
 
 }

@@ -11,6 +11,7 @@
 #include "Frame/SceneFingerprint.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -21,6 +22,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
@@ -401,6 +404,16 @@ DeviceRequest DeviceOf(vtkVariationFieldVolumeMapper* mapper)
   return device;
 }
 
+// Requires a window that uses OpenGL.
+FrameView ViewOf(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* prop)
+{
+  const Viewport viewport = ViewportOf(renderer);
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  return { window, renderer, prop, viewport, viewport, ClipFromWorld(renderer),
+    glm::make_vec3(camera->GetPosition()), glm::make_vec3(camera->GetDirectionOfProjection()),
+    camera->GetLeftEye() != 0 };
+}
+
 // Builds the frame of one volume of a prop. A prop with one volume is that volume itself.
 std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   vtkRenderer* renderer, vtkVolume* prop, const VolumeOfPort& one, vtkImageData* instead)
@@ -420,7 +433,7 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   NumberCheck check;
   const MapperNumbers numbers = MapperNumbersOf(mapper, check);
   Frame frame = {};
-  frame.view = { window, renderer, prop, viewport };
+  frame.view = ViewOf(window, renderer, prop);
   frame.voxels.scalars = input->scalars;
   frame.voxels.time = input->Time();
   TakeProperty(volume->GetProperty(), check, frame.material);

@@ -78,9 +78,8 @@ Fingerprint LightsOf(const Frame& frame)
 Fingerprint ViewOf(const Frame& frame)
 {
   const Viewport& viewport = frame.view.viewport;
-  const glm::dmat4& worldFromGrid = frame.geometry.worldFromGrid;
   return Fingerprint(viewport.left, viewport.bottom, viewport.width, viewport.height,
-    ClipFromWorld(frame.view.renderer) * worldFromGrid, worldFromGrid);
+    frame.ClipFromGrid(), frame.geometry.worldFromGrid);
 }
 
 // The modification times of a property, and of its functions whose changes it does not report.

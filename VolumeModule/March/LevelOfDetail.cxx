@@ -5,7 +5,6 @@
 #include "Readers/Paging/MappedMemory.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -270,11 +269,9 @@ void LevelOfDetail::ForgetScene(DrawnView& view)
 // Several renderers, and the eyes of a stereo image, are drawn in turn.
 std::list<DrawnView>::iterator LevelOfDetail::FindView(const Frame& frame)
 {
-  vtkRenderer* const renderer = frame.view.renderer;
-  const bool isLeftEye = renderer->GetActiveCamera()->GetLeftEye() != 0;
   return std::find_if(this->views.begin(), this->views.end(),
     [&](const DrawnView& view)
-    { return view.renderer == renderer && view.isLeftEye == isLeftEye; });
+    { return view.renderer == frame.view.renderer && view.isLeftEye == frame.view.isLeftEye; });
 }
 
 DrawnView& LevelOfDetail::ViewOf(const Frame& frame)
@@ -286,7 +283,7 @@ DrawnView& LevelOfDetail::ViewOf(const Frame& frame)
   {
     this->views.emplace_front();
     this->views.front().renderer = frame.view.renderer;
-    this->views.front().isLeftEye = frame.view.renderer->GetActiveCamera()->GetLeftEye() != 0;
+    this->views.front().isLeftEye = frame.view.isLeftEye;
     if (this->views.size() > MostViews)
     {
       this->views.pop_back();

@@ -10,7 +10,6 @@
 #include "Resources/ValueFocus.h"
 
 #include "vtkDataArray.h"
-#include "vtkRenderer.h"
 
 #include <glm/matrix.hpp>
 
@@ -216,7 +215,7 @@ std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSumma
   const ScalarTexels all = ScalarTexelsOf(frame.voxels.components).front();
   return LevelInputs{ summary, middle, *type, look,
     Focused(all, all, look.ChangingValues()).resolved, frame.fingerprint,
-    ComputePixelRays(ClipFromWorld(frame.view.renderer) * worldFromGrid, frame.geometry.boxGrid),
+    ComputePixelRays(frame.ClipFromGrid(), frame.geometry.boxGrid),
     glm::ivec2(frame.view.viewport.width, frame.view.viewport.height), glm::dmat3(worldFromGrid),
     frame.geometry.boxGrid, brightest, DimmedLightsOf(frame, brightest.value_or(1.0)),
     HasSoftLamps(frame), MemoryOf(frame), UnitsOf(frame) };

@@ -7,13 +7,9 @@
 #include "March/SkyParameters.h"
 #include "Resources/BlueNoiseTexture.h"
 
-#include "vtkCamera.h"
-#include "vtkRenderer.h"
-
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
-#include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -28,8 +24,7 @@ namespace
 // All blocks have the same rays, bit for bit, so no ray has a gap where two blocks meet.
 void SetRays(RayParameters& p, const VolumeMarch& march, const Box& boxGrid)
 {
-  const glm::dmat4 clipFromGrid =
-    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
+  const glm::dmat4 clipFromGrid = march.frame.ClipFromGrid();
   const PixelRays rays = ComputePixelRays(clipFromGrid, boxGrid);
   for (int i = 0; i < 3; ++i)
   {
@@ -79,9 +74,8 @@ void SetSpan(RayParameters& p, const VolumeMarch& march)
   const Box wholeGrid = WholeBoxGrid(march);
   p.wholeLowerGrid = wholeGrid.lower;
   p.wholeUpperGrid = wholeGrid.upper;
-  glm::dvec3 eyeWorld;
-  frame.view.renderer->GetActiveCamera()->GetPosition(glm::value_ptr(eyeWorld));
-  p.eyeGrid = glm::dvec3(glm::inverse(frame.geometry.worldFromGrid) * glm::dvec4(eyeWorld, 1.0));
+  p.eyeGrid =
+    glm::dvec3(glm::inverse(frame.geometry.worldFromGrid) * glm::dvec4(frame.view.eyeWorld, 1.0));
 }
 
 void SetCuts(RayParameters& p, const Cuts& cuts)

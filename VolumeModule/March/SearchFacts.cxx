@@ -232,8 +232,7 @@ void ToleranceInputs::Add(const VolumeMarch& march, const VolumeResources& volum
   this->scene.Add(SceneInputsOf(march));
   this->lights.Add(march.frame);
   this->casters.Add(march.frame.casters.fingerprint);
-  this->view.push_back(CornersOf(march.frame.geometry.boxGrid,
-    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid));
+  this->view.push_back(CornersOf(march.frame.geometry.boxGrid, march.frame.ClipFromGrid()));
 }
 
 }

@@ -73,7 +73,7 @@ varimarch::Frame WithoutLayers(varimarch::Frame frame)
   frame.settings.pass = frame.pass.kind;
   frame.settings.sceneGeometry = true;
   frame.casters.lieBehindTranslucent = false;
-  frame.view.viewport = varimarch::ViewportOf(frame.view.renderer);
+  frame.view.viewport = frame.view.inWindow;
   return frame;
 }
 

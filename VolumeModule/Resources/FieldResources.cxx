@@ -96,8 +96,7 @@ void FieldResources::UpdateValueField(const FieldInputs& inputs)
 bool FieldResources::BeginsField(const FieldInputs& inputs, FieldSource& source)
 {
   const VolumeMarch& march = inputs.march;
-  const glm::dmat4 clipFromGrid =
-    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
+  const glm::dmat4 clipFromGrid = march.frame.ClipFromGrid();
   const PixelRays rays = ComputePixelRays(clipFromGrid, march.frame.geometry.boxGrid);
   // Rays to lights and to the sky go anywhere.
   source.towards = IsInWayOfLights(march.settings) || IsInWayOfSky(march.settings)

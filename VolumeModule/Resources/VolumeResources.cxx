@@ -188,8 +188,7 @@ void VolumeDivision::UpdateVisibleBoxes(const VolumeMarch& march, const FieldRes
 
 std::vector<int> VolumeDivision::InView(const VolumeMarch& march) const
 {
-  const glm::dmat4 clipFromGrid =
-    ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
+  const glm::dmat4 clipFromGrid = march.frame.ClipFromGrid();
   const PixelRays rays = ComputePixelRays(clipFromGrid, this->visibleBox);
   std::vector<int> inView;
   for (int block : this->blocks.Partition().FrontToBack(rays.eyeGrid))

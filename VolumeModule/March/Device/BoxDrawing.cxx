@@ -201,8 +201,7 @@ Box WithItsEdges(const Box& box)
 // The box around everything between near and far plane.
 Box CoverOfView(const Frame& frame)
 {
-  const glm::dmat4 gridFromClip =
-    glm::inverse(ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid);
+  const glm::dmat4 gridFromClip = glm::inverse(frame.ClipFromGrid());
   Box box = frame.geometry.boxGrid;
   for (const glm::dvec4& corner : CornersOf({ glm::dvec3(-1.0), glm::dvec3(1.0) }, gridFromClip))
   {

@@ -51,7 +51,7 @@ void BlockMarch::DrawBlock(const Frame& frame, MarchPlan plan, int block)
   const glm::bvec3 isShared = glm::lessThan(upper, frame.cuts.boxGrid.upper);
   drawn.sharedUpperGrid = glm::mix(drawn.sharedUpperGrid, upper, isShared);
 
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
+  const glm::dmat4 clipFromGrid = frame.ClipFromGrid();
   this->accumulation.Keep(PixelsOf(drawn.coverGrid, clipFromGrid, plan.viewport));
   EarlierDrawings earlier;
   earlier.gathered = this->accumulation.Drawn();

@@ -11,7 +11,6 @@
 #include "March/SearchFacts.h"
 #include "VtkVersions.h"
 
-#include "vtkCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProperty.h"
@@ -174,8 +173,7 @@ GeometryLight::GeometryLight(const Frame& frame)
   : frame(frame)
   , lights(frame.lights.lamps)
   , head(frame.lights.head)
-  , towardsHeadWorld(
-      -glm::make_vec3(frame.view.renderer->GetActiveCamera()->GetDirectionOfProjection()))
+  , towardsHeadWorld(-frame.view.forwardWorld)
 {
 }
 
@@ -254,8 +252,7 @@ Fingerprint InputsOf(const Frame& frame, const MarchPlan& plan)
   {
     return {};
   }
-  const double* const eye = frame.view.renderer->GetActiveCamera()->GetPosition();
-  return Fingerprint(image, glm::make_vec3(eye), plan.sampleDistanceMm, plan.marcher,
+  return Fingerprint(image, frame.view.eyeWorld, plan.sampleDistanceMm, plan.marcher,
     plan.isInteractive, frame.casters.shadowing, frame.casters.lieBehindTranslucent);
 }
 
@@ -496,7 +493,7 @@ void GeometryDimming::TakeFactors(
   {
     this->resources.Depth().Read(frame.view.window);
     const glm::dvec3 origin = frame.casters.originWorld;
-    const PixelPlaces places(frame.view.renderer, this->resources.Depth(), plan.viewport, origin);
+    const PixelPlaces places(frame.view, this->resources.Depth(), plan.viewport, origin);
     taken = FactorsBetween(received.grid, received.receivers, taken, places, origin);
   }
   this->image.Take(frame.view.window, taken, PixelsOf(plan));

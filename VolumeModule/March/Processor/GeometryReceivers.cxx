@@ -3,12 +3,10 @@
 #include "Core/Geometry/TriangleTree.h"
 #include "Frame/VolumeGeometry.h"
 
-#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
-#include "vtkRenderer.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -73,8 +71,8 @@ public:
   PixelSearch(const Frame& frame, SceneResources& resources, const Viewport& viewport)
     : frame(frame)
     , casters(resources.Casters())
-    , places(frame.view.renderer, resources.Depth(), viewport, frame.casters.originWorld)
-    , eyeWorld(glm::make_vec3(frame.view.renderer->GetActiveCamera()->GetPosition()))
+    , places(frame.view, resources.Depth(), viewport, frame.casters.originWorld)
+    , eyeWorld(frame.view.eyeWorld)
   {
   }
 
@@ -141,12 +139,12 @@ std::vector<GeometryReceiver> GeometryReceiversOf(
   return all;
 }
 
-PixelPlaces::PixelPlaces(vtkRenderer* renderer, const SceneDepthTexture& depth,
+PixelPlaces::PixelPlaces(const FrameView& view, const SceneDepthTexture& depth,
   const Viewport& viewport, const glm::dvec3& originWorld)
   : depths(depth.Texture().Texels<float>())
   , depthPixels(depth.SizePixels())
   , viewport(viewport)
-  , placeFromClip(glm::inverse(glm::translate(ClipFromWorld(renderer), originWorld)))
+  , placeFromClip(glm::inverse(glm::translate(view.clipFromWorld, originWorld)))
 {
 }
 

@@ -15,8 +15,6 @@
 #include <cstddef>
 #include <vector>
 
-class vtkRenderer;
-
 namespace varimarch
 {
 
@@ -63,7 +61,7 @@ class PixelPlaces
 {
 public:
   /// @param originWorld  the place that others are relative to
-  PixelPlaces(vtkRenderer* renderer, const SceneDepthTexture& depth, const Viewport& viewport,
+  PixelPlaces(const FrameView& view, const SceneDepthTexture& depth, const Viewport& viewport,
     const glm::dvec3& originWorld);
 
   /// The depth that a pixel shows, 1 where nothing was drawn.

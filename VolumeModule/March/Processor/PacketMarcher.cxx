@@ -204,7 +204,7 @@ void PacketMarcher::Draw(const Frame& frame, const MarchPlan& plan)
   }
   DrawnBlock drawn = AllThatIsVisible(this->resources.DrawnBox());
   drawn.coverGrid = CoverOfRays(frame, plan, drawn.coverGrid);
-  const glm::dmat4 clipFromGrid = ClipFromWorld(frame.view.renderer) * frame.geometry.worldFromGrid;
+  const glm::dmat4 clipFromGrid = frame.ClipFromGrid();
   const Viewport pixels = WithinScissors(PixelsOf(drawn.coverGrid, clipFromGrid, plan.viewport),
     plan.viewport, frame.view.window->GetState());
   if (pixels.width == 0 || pixels.height == 0)

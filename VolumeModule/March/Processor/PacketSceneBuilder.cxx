@@ -10,7 +10,6 @@
 #include "Resources/ValueFocus.h"
 
 #include "vtkDataArray.h"
-#include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
@@ -222,8 +221,7 @@ SceneOfVolume::SceneOfVolume(const VolumeMarch& march, VolumeResources& volume,
     this->scene.rule != PacketRule::Projection && this->scene.parameters.gapOptical.a == 0.0f;
   if (this->scene.steps.bricks && isOfBricks)
   {
-    const glm::dmat4 clipFromGrid =
-      ClipFromWorld(march.frame.view.renderer) * march.frame.geometry.worldFromGrid;
+    const glm::dmat4 clipFromGrid = march.frame.ClipFromGrid();
     this->scene.depths =
       volume.Fields().OfBricks().VisibleDepthsIn(clipFromGrid, this->scene.rays.rayDirectionGrid[0],
         { march.plan.viewport.width, march.plan.viewport.height }, pixels);
