@@ -7,6 +7,7 @@
 #include "Frame/Cuts.h"
 #include "Frame/Fingerprint.h"
 #include "Frame/Lights.h"
+#include "Frame/MaterialFunctions.h"
 #include "Frame/RequestedPass.h"
 #include "Frame/ShadowCasters.h"
 #include "Frame/SliceSurface.h"
@@ -28,7 +29,6 @@
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkVolume;
-class vtkVolumeProperty;
 
 namespace varimarch
 {
@@ -52,7 +52,7 @@ struct FrameView
 /// The look of a volume's values, apart from the choices in RenderSettings.
 struct MaterialRequest
 {
-  vtkVolumeProperty* property = nullptr;
+  MaterialFunctions functions;
   /// The coefficients of ambient, diffuse and specular light and the specular power of each
   /// component.
   std::array<glm::dvec4, 4> reflectances = {};
@@ -148,6 +148,9 @@ struct Frame
   /// Sentences for the user about numbers of the scene that have no meaning and were replaced.
   std::vector<std::string> replacedNumbers;
   Fingerprint fingerprint; ///< See VolumeFingerprint.
+  Fingerprint extinction;  ///< See ExtinctionFingerprint.
+  Fingerprint unlit;       ///< See UnlitFingerprint.
+  Fingerprint refinement;  ///< See ImageFingerprint; empty unless the image is refined by levels.
   /// Everything in the volumes that overlap, this one among them, that ambient occlusion depends
   /// on; empty without.
   Fingerprint occluders;

@@ -196,6 +196,10 @@ void ApplyImageSettings(
     frame.view.viewport = { 0, 0, frame.view.viewport.width, frame.view.viewport.height };
     frame.settings.sceneGeometry = false;
   }
+  if (mapper->GetLevelOfDetail() == vtkVariationFieldVolumeMapper::RefinedLevel)
+  {
+    frame.refinement = ImageFingerprint(mapper, frame);
+  }
 }
 
 bool HasOpaqueGeometry(vtkRenderer* renderer)
@@ -276,11 +280,10 @@ glm::dvec4 GapOptical(const glm::dvec3& color, double opacity, double unitDistan
   return glm::dvec4(material.Color(0.0), extinction);
 }
 
-// Requires the view, the voxels, the property and the lights.
-RenderSettings SettingsOf(
-  vtkVariationFieldVolumeMapper* mapper, const MapperNumbers& numbers, const Frame& frame)
+// Requires the voxels and the lights.
+RenderSettings SettingsOf(vtkVariationFieldVolumeMapper* mapper, vtkRenderer* renderer,
+  vtkVolumeProperty* property, const MapperNumbers& numbers, const Frame& frame)
 {
-  vtkVolumeProperty* const property = frame.material.property;
   RenderSettings settings;
   settings.blend = BlendOf(mapper->GetBlendMode());
   settings.nearest = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
@@ -304,7 +307,7 @@ RenderSettings SettingsOf(
   settings.damping =
     settings.shading && settings.components == Components::One && numbers.dampingGradient > 0.0;
   settings.countFetches = mapper->GetDrawFetchCounts();
-  settings.sceneGeometry = HasOpaqueGeometry(frame.view.renderer);
+  settings.sceneGeometry = HasOpaqueGeometry(renderer);
   settings.fillGaps = numbers.nanOpacity > 0.0;
   return settings;
 }
@@ -351,10 +354,11 @@ void ChoosePlaces(const MapperInput& input, vtkVolume* volume, Frame& frame)
   }
 }
 
-void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, NumberCheck& check, Frame& frame)
+void ChooseCuts(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
+  NumberCheck& check, Frame& frame)
 {
-  const bool seesCuts = frame.material.property->GetUseClippedVoxelIntensity() != 0 &&
-    frame.settings.components == Components::One;
+  const bool seesCuts =
+    property->GetUseClippedVoxelIntensity() != 0 && frame.settings.components == Components::One;
   frame.cuts = CutsOf(mapper, frame.geometry, seesCuts, check);
   frame.settings.clipping = !frame.cuts.planesGrid.empty();
   frame.settings.clippedGradients = seesCuts && frame.settings.clipping;
@@ -414,11 +418,19 @@ FrameView ViewOf(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume
     camera->GetLeftEye() != 0 };
 }
 
+// Requires everything that volumes that overlap share.
+void TakeFingerprints(Frame& frame)
+{
+  frame.extinction = ExtinctionFingerprint(frame);
+  frame.unlit = UnlitFingerprint(frame);
+}
+
 // Builds the frame of one volume of a prop. A prop with one volume is that volume itself.
 std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   vtkRenderer* renderer, vtkVolume* prop, const VolumeOfPort& one, vtkImageData* instead)
 {
   vtkVolume* const volume = one.volume;
+  vtkVolumeProperty* const property = volume->GetProperty();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
@@ -436,22 +448,24 @@ std::optional<Frame> BuildFrameOfVolume(vtkVariationFieldVolumeMapper* mapper,
   frame.view = ViewOf(window, renderer, prop);
   frame.voxels.scalars = input->scalars;
   frame.voxels.time = input->Time();
-  TakeProperty(volume->GetProperty(), check, frame.material);
+  TakeProperty(property, check, frame.material);
   frame.lights = LightsOf(renderer, check);
-  frame.settings = SettingsOf(mapper, numbers, frame);
+  frame.settings = SettingsOf(mapper, renderer, property, numbers, frame);
   ChoosePlaces(*input, volume, frame);
   CheckView(renderer);
-  ChooseVoxels(mapper, input->data, frame);
-  if (!ChooseSurfaces(frame))
+  ChooseVoxels(mapper, property, input->data, frame);
+  if (!ChooseSurfaces(property, frame))
   {
     return std::nullopt;
   }
   ChooseLight(mapper, numbers, frame);
   ChooseCasters(mapper, renderer, prop, frame);
-  ChooseCuts(mapper, check, frame);
+  ChooseCuts(mapper, property, check, frame);
   ChooseAveraged(numbers, frame);
-  frame.material.gapOptical = GapOptical(
-    numbers.nanColor, numbers.nanOpacity, frame.material.property->GetScalarOpacityUnitDistance());
+  frame.material.gapOptical =
+    GapOptical(numbers.nanColor, numbers.nanOpacity, property->GetScalarOpacityUnitDistance());
+  frame.material.functions =
+    MaterialFunctionsOf(property, frame.settings, frame.material.surfaceComponent);
   frame.device = DeviceOf(mapper);
   ApplyImageSettings(mapper, numbers, frame);
   ChooseQuality(mapper, numbers, frame);
@@ -480,6 +494,8 @@ std::optional<Frame> BuildFrame(vtkVariationFieldVolumeMapper* mapper, vtkRender
   Frame frame =
     frames.size() > 1 ? JoinFrames(std::move(frames), mapper) : std::move(frames.front());
   CheckIntegrationRule(mapper, frame.settings);
+  TakeFingerprints(frame);
+  std::for_each(frame.others.begin(), frame.others.end(), TakeFingerprints);
   return frame;
 }
 

@@ -173,7 +173,8 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
     mapper->GetStoredGradients() != 0 && settings.components == Components::One;
 }
 
-void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame)
+void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
+  vtkDataSet* data, Frame& frame)
 {
   for (int component = 0; component < frame.settings.componentCount; ++component)
   {
@@ -192,13 +193,12 @@ void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame
   }
   if (frame.settings.mask != Mask::None)
   {
-    frame.voxels.mask = MaskVoxelsOf(mapper, frame.material.property);
+    frame.voxels.mask = MaskVoxelsOf(mapper, property);
   }
 }
 
 void TakeProperty(vtkVolumeProperty* property, NumberCheck& check, MaterialRequest& material)
 {
-  material.property = property;
   constexpr double Most = 1e6; // products of these and of lights are floats
   // A power of 0 would have no value where no light is mirrored.
   constexpr double LeastPower = 1e-6;
@@ -281,7 +281,7 @@ std::vector<double> IsovaluesOf(vtkVolumeProperty* property)
 
 }
 
-bool ChooseSurfaces(Frame& frame)
+bool ChooseSurfaces(vtkVolumeProperty* property, Frame& frame)
 {
   if (frame.settings.blend == Blend::Isosurface)
   {
@@ -290,12 +290,12 @@ bool ChooseSurfaces(Frame& frame)
     {
       throw std::runtime_error("Isosurfaces of cubic interpolation are not supported");
     }
-    frame.material.isovalues = IsovaluesOf(frame.material.property);
+    frame.material.isovalues = IsovaluesOf(property);
     return !frame.material.isovalues.empty();
   }
   if (frame.settings.blend == Blend::Slice)
   {
-    vtkImplicitFunction* const function = frame.material.property->GetSliceFunction();
+    vtkImplicitFunction* const function = property->GetSliceFunction();
     frame.material.slice = function ? SliceSurfaceOf(function, frame.geometry) : SliceSurface();
     // A slice in a face of the volume counts as inside despite rounding.
     constexpr double ReachVoxels = 3e-4;

@@ -22,7 +22,8 @@ void ChooseMaterial(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* pr
 
 /// Chooses the components and the mask of a frame. Requires its settings.
 /// @throws std::runtime_error with a sentence for the user, if one of them is missing
-void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkDataSet* data, Frame& frame);
+void ChooseVoxels(vtkVariationFieldVolumeMapper* mapper, vtkVolumeProperty* property,
+  vtkDataSet* data, Frame& frame);
 
 /// Takes the numbers of a property.
 void TakeProperty(vtkVolumeProperty* property, NumberCheck& check, MaterialRequest& material);
@@ -39,7 +40,7 @@ void ChooseSurfaceComponent(Frame& frame);
 /// @return false if the frame asks for surfaces, but for none in particular
 /// @throws std::invalid_argument or std::runtime_error with a sentence for the user, if they cannot
 /// be drawn
-bool ChooseSurfaces(Frame& frame);
+bool ChooseSurfaces(vtkVolumeProperty* property, Frame& frame);
 
 }
 

@@ -501,9 +501,9 @@ std::vector<int> LabelsOf(vtkVolumeProperty* property)
   return std::vector<int>(labels.begin(), labels.end());
 }
 
-TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label)
+TransferFunction LabelTransferFunctionOf(
+  vtkVolumeProperty* property, int label, const TransferFunction& without)
 {
-  const TransferFunction without = TransferFunctionOf(property);
   vtkColorTransferFunction* const color = property->GetLabelColor(label);
   vtkPiecewiseFunction* const opacity = property->GetLabelScalarOpacity(label);
   return TransferFunction(color ? NodesOf(color) : without.Colors(),
@@ -584,14 +584,10 @@ bool HasOpacities(vtkVolumeProperty* property, int component)
   return !IsDefault(property->GetScalarOpacity(component), 1.0);
 }
 
-TransferFunction FunctionOfComponent(vtkVolumeProperty* property, int component)
+TransferFunction FunctionOfComponent(
+  vtkVolumeProperty* property, int component, const TransferFunction& first)
 {
   const TransferFunction own = TransferFunctionOf(property, component);
-  if (component == 0)
-  {
-    return own;
-  }
-  const TransferFunction first = TransferFunctionOf(property);
   const TransferFunction& opacities = HasOpacities(property, component) ? own : first;
   return { HasColors(property, component) ? own.Colors() : first.Colors(), opacities.Opacities(),
     opacities.OpacityUnitDistanceMm() };

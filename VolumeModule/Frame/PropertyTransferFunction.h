@@ -25,7 +25,9 @@ VARIMARCHVOLUME_EXPORT TransferFunction TransferFunctionOf(
 std::vector<int> LabelsOf(vtkVolumeProperty* property);
 
 /// The transfer function of a label. A missing curve is replaced by that of unlabelled voxels.
-TransferFunction LabelTransferFunctionOf(vtkVolumeProperty* property, int label);
+/// @param without  the function of unlabelled voxels
+TransferFunction LabelTransferFunctionOf(
+  vtkVolumeProperty* property, int label, const TransferFunction& without);
 
 /// VTK's opacity curve as a transfer function without colours.
 TransferFunction OpacityCurveOf(vtkPiecewiseFunction* function);
@@ -38,10 +40,13 @@ std::string MissingFunctionFeatures(vtkVolumeProperty* property, int components)
 /// Everything that the transfer function of a component is made from.
 Fingerprint TransferFunctionInputs(vtkVolumeProperty* property, int component);
 
-/// The transfer function of an independent component. A property that has none for a component
-/// answers with VTK's default, which is opaque for all values, so that the volume would be a box.
-/// Such a component has the opacities of the first one, and its colours if it has none either.
-TransferFunction FunctionOfComponent(vtkVolumeProperty* property, int component);
+/// The transfer function of an independent component behind the first. A property that has none for
+/// a component answers with VTK's default, which is opaque for all values, so that the volume would
+/// be a box. Such a component has the opacities of the first one, and its colours if it has none
+/// either.
+/// @param first  the function of the first component
+TransferFunction FunctionOfComponent(
+  vtkVolumeProperty* property, int component, const TransferFunction& first);
 
 /// True if the opacities of a component are its own.
 bool HasOpacities(vtkVolumeProperty* property, int component);

@@ -1,23 +1,14 @@
 #include "Frame/SceneFingerprint.h"
 
 #include "Frame/Frame.h"
-#include "Frame/PropertyTransferFunction.h"
-#include "Frame/VolumeGeometry.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
-#include "vtkColorTransferFunction.h"
-#include "vtkImageData.h"
-#include "vtkImplicitFunction.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLUniforms.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"
-#include "vtkShaderProperty.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 namespace varimarch
 {
@@ -53,11 +44,11 @@ struct MaterialNumbers
 // All are named, so that a new one has to be sorted.
 MaterialNumbers NumbersOf(const MaterialRequest& material)
 {
-  const auto& [property, reflectances, weights, clippedScalar, labelBlend, isovalues,
+  const auto& [functions, reflectances, weights, clippedScalar, labelBlend, isovalues,
     surfaceComponent, dampingGradient, scatteredPart, anisotropy, surfacesInShadow, shadowReachMm,
     occlusion, occlusionReachMm, occluderVoxelMm, occludersMm, slice, averagedRange, gapOptical] =
     material;
-  return { Fingerprint(property, labelBlend, gapOptical.a),
+  return { Fingerprint(functions.ofProperty, labelBlend, gapOptical.a),
     Fingerprint(reflectances, weights, clippedScalar, isovalues, surfaceComponent, dampingGradient,
       scatteredPart, anisotropy, surfacesInShadow, shadowReachMm, occlusion, occlusionReachMm,
       occluderVoxelMm, occludersMm, slice, averagedRange, glm::dvec3(gapOptical)) };
@@ -80,19 +71,6 @@ Fingerprint ViewOf(const Frame& frame)
   const Viewport& viewport = frame.view.viewport;
   return Fingerprint(viewport.left, viewport.bottom, viewport.width, viewport.height,
     frame.ClipFromGrid(), frame.geometry.worldFromGrid);
-}
-
-// The modification times of a property, and of its functions whose changes it does not report.
-Fingerprint FunctionsOf(vtkVolumeProperty* property)
-{
-  Fingerprint times(TimeOf(property), TimeOf(property->GetSliceFunction()));
-  for (const int label : LabelsOf(property))
-  {
-    times.Add(Fingerprint(label, TimeOf(property->GetLabelColor(label)),
-      TimeOf(property->GetLabelScalarOpacity(label)),
-      TimeOf(property->GetLabelGradientOpacity(label))));
-  }
-  return times;
 }
 
 // The opaque geometry that may end rays, including that of lower layers.
@@ -129,13 +107,10 @@ Fingerprint VoxelFingerprint(const Frame& frame)
 
 Fingerprint ExtinctionFingerprint(const Frame& frame)
 {
-  vtkShaderProperty* const shader = frame.view.prop->GetShaderProperty();
-  auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(shader->GetFragmentCustomUniforms());
   const Blanking& blanking = frame.voxels.blanking;
   return Fingerprint(VoxelFingerprint(frame), frame.voxels.mask, blanking, TimeOf(blanking.points),
-    TimeOf(blanking.cells), shader->GetShaderMTime(),
-    uniforms ? uniforms->GetUniformListMTime() : 0, ExtinctionChoices(frame.settings),
-    NumbersOf(frame.material).ofExtinction, frame.cuts, FunctionsOf(frame.material.property));
+    TimeOf(blanking.cells), frame.userCode.inputs, ExtinctionChoices(frame.settings),
+    NumbersOf(frame.material).ofExtinction, frame.cuts);
 }
 
 Fingerprint UnlitFingerprint(const Frame& frame)

@@ -50,10 +50,13 @@ UserShaderCode UserShaderCodeOf(vtkVolume* volume)
       code.textOfSlot[replacement.mark.substr(Mark.size())] = replacement.text;
     }
   }
-  if (auto* uniforms = vtkOpenGLUniforms::SafeDownCast(property->GetFragmentCustomUniforms()))
+  auto* const uniforms = vtkOpenGLUniforms::SafeDownCast(property->GetFragmentCustomUniforms());
+  if (uniforms)
   {
     code.uniforms = uniforms->GetDeclarations();
   }
+  code.inputs =
+    Fingerprint(property->GetShaderMTime(), uniforms ? uniforms->GetUniformListMTime() : 0);
   return code;
 }
 

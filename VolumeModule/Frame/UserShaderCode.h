@@ -1,6 +1,8 @@
 #ifndef Varimarch_Frame_UserShaderCode_h
 #define Varimarch_Frame_UserShaderCode_h
 
+#include "Frame/Fingerprint.h"
+
 #include <map>
 #include <string>
 
@@ -16,6 +18,7 @@ struct UserShaderCode
 {
   std::map<std::string, std::string> textOfSlot;
   std::string uniforms; ///< The declarations of the uniforms.
+  Fingerprint inputs;   ///< The times of the last changes of the code and of the uniforms.
 
   bool IsEmpty() const { return this->textOfSlot.empty() && this->uniforms.empty(); }
 };

@@ -1,7 +1,6 @@
 #include "March/LevelOfDetail.h"
 
 #include "Frame/FrameBuilder.h"
-#include "Frame/SceneFingerprint.h"
 #include "Readers/Paging/MappedMemory.h"
 #include "vtkVariationFieldVolumeMapper.h"
 
@@ -172,9 +171,8 @@ int LevelOfDetail::LevelNow(
   {
     return vtkVariationFieldVolumeMapper::VoxelLevel;
   }
-  Fingerprint fingerprint = ImageFingerprint(mapper, frame);
-  view.beginsStill = Begins(view, fingerprint, lastIsWhole);
-  view.begun = std::move(fingerprint);
+  view.beginsStill = Begins(view, frame.accumulation.fingerprint, lastIsWhole);
+  view.begun = frame.accumulation.fingerprint;
   view.isComplete = !view.beginsStill;
   return view.beginsStill ? vtkVariationFieldVolumeMapper::CoarseLevel
                           : vtkVariationFieldVolumeMapper::VoxelLevel;
@@ -189,7 +187,7 @@ std::optional<Frame> LevelOfDetail::CoarseFrameAhead(
   const bool isAutomatic =
     mapper->GetLevelOfDetail() == vtkVariationFieldVolumeMapper::AutomaticLevel;
   const bool begins = isAutomatic && IsInParts(mapper, frame) &&
-    (view == this->views.end() || Begins(*view, ImageFingerprint(mapper, frame), lastIsWhole));
+    (view == this->views.end() || Begins(*view, frame.accumulation.fingerprint, lastIsWhole));
   if (!known || !(begins || WantsCoarseLevel(mapper, volume, frame)))
   {
     return std::nullopt;
@@ -228,8 +226,7 @@ std::optional<Frame> LevelOfDetail::FrameInstead(
       return std::nullopt;
     }
     DrawnView& view = this->views.front();
-    this->Refine(
-      view, ImageFingerprint(mapper, frame), *inputs, lastIsWhole ? LevelTolerance(frame) : 1.0);
+    this->Refine(view, frame.refinement, *inputs, lastIsWhole ? LevelTolerance(frame) : 1.0);
     view.isComplete = view.refinement->Bound() <= LevelTolerance(frame);
     if (view.refinement->Rounds() > 0)
     {

@@ -6,7 +6,6 @@
 #include "Core/Packets/PacketScene.h"
 #include "Readers/Paging/MappedMemory.h"
 #include "Readers/VoxelLayout.h"
-#include "Resources/MaterialTables.h"
 #include "Resources/ValueFocus.h"
 
 #include "vtkDataArray.h"
@@ -210,8 +209,7 @@ std::optional<LevelInputs> LevelInputsOf(const std::shared_ptr<const VolumeSumma
     return std::nullopt;
   }
   const glm::dmat4 worldFromGrid(frame.geometry.worldFromGrid);
-  const TransferFunction look =
-    MaterialTablesOf(frame.material.property, frame.settings).front().transferFunction;
+  const TransferFunction& look = frame.material.functions.ofMaterials.front().transferFunction;
   const ScalarTexels all = ScalarTexelsOf(frame.voxels.components).front();
   return LevelInputs{ summary, middle, *type, look,
     Focused(all, all, look.ChangingValues()).resolved, frame.fingerprint,

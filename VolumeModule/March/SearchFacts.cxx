@@ -3,7 +3,6 @@
 #include "Core/Recipe/MaterialRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
 #include "Frame/FrameMeasures.h"
-#include "Frame/PropertyTransferFunction.h"
 #include "Frame/SceneFingerprint.h"
 #include "March/SkyParameters.h"
 #include "Resources/ValueFocus.h"
@@ -124,7 +123,7 @@ SearchFacts FactsOf(const VolumeMarch& march, const VolumeResources& volume)
   if (facts.looksForPeaks)
   {
     const ValueRange& resolved = volume.Blocks().Texels().resolved;
-    const double nodeGap = TransferFunctionOf(march.frame.material.property).SmallestNodeGap();
+    const double nodeGap = march.frame.material.functions.first.SmallestNodeGap();
     facts.hasNarrowPeaks = nodeGap < NarrowPeak * (resolved.upper - resolved.lower);
     facts.hasNodesInTable = MostPreIntegratedValues * nodeGap < table.lastValue - table.firstValue;
   }
@@ -150,9 +149,9 @@ std::vector<std::string> RecipeOf(const Frame& frame)
 // The inputs of a volume that the integration rule depends on, besides its recipe and voxels.
 Fingerprint RuleInputsOf(const VolumeMarch& march)
 {
-  return Fingerprint(MaterialTableInputs(march.frame.material.property, march.settings),
-    march.plan.marcher, march.plan.choosesIntegration, march.settings.integration,
-    march.plan.budget.StepTolerance(), march.frame.geometry.SmallestSpacingMm());
+  return Fingerprint(march.frame.material.functions.inputs, march.plan.marcher,
+    march.plan.choosesIntegration, march.settings.integration, march.plan.budget.StepTolerance(),
+    march.frame.geometry.SmallestSpacingMm());
 }
 
 // The inputs of a volume that the image depends on in any view and light, besides those of the
@@ -160,7 +159,7 @@ Fingerprint RuleInputsOf(const VolumeMarch& march)
 Fingerprint SceneInputsOf(const VolumeMarch& march)
 {
   const Viewport& pixels = march.plan.viewport;
-  Fingerprint inputs(UnlitFingerprint(march.frame), pixels.width, pixels.height,
+  Fingerprint inputs(march.frame.unlit, pixels.width, pixels.height,
     march.settings.occlusion, march.frame.levelRound, march.frame.image.windowScaleBias,
     march.frame.span.firstDistanceMm, march.frame.quality.variationTolerance);
   // Lights and geometry stay where they are in the world when a volume moves with its view.

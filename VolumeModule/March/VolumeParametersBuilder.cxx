@@ -1,12 +1,10 @@
 #include "March/VolumeParametersBuilder.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/PropertyTransferFunction.h"
 #include "March/SkyParameters.h"
 
 #include "vtkDataArray.h"
 #include "vtkRenderer.h"
-#include "vtkVolumeProperty.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -50,7 +48,7 @@ void SetVisibleOfComponents(
   p.visibleUpper = glm::vec4(-1e30f);
   for (std::size_t i = 0; i < volume.Materials().MaterialTables().size(); ++i)
   {
-    const MaterialTable& table = volume.Materials().MaterialTables()[i];
+    const MaterialFunction& table = volume.Materials().MaterialTables()[i];
     if (table.decidesOnOpacity)
     {
       SetVisible(p, table.component, mappings[table.component],
@@ -192,9 +190,8 @@ void SetMaterials(VolumeParameters& p, const VolumeMarch& march, const VolumeRes
   p.partWeights = glm::vec4(1.0f);
   for (int part = 0; part < PartCount(march.settings); ++part)
   {
-    vtkVolumeProperty* const property = march.frame.material.property;
     p.opacityUnitDistancesMm[part] =
-      float(property->GetScalarOpacityUnitDistance(HasOpacities(property, part) ? part : 0));
+      float(march.frame.material.functions.opacityUnitDistancesMm[std::size_t(part)]);
     p.partWeights[part] = float(WeightOf(march, part));
     p.reflectances[part] = march.frame.material.reflectances[part];
   }

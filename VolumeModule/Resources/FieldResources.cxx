@@ -23,7 +23,7 @@ std::vector<ComponentTable> TablesOfOpacity(const MaterialResources& materials, 
   std::vector<ComponentTable> tables;
   for (std::size_t i = 0; i < materials.MaterialTables().size(); ++i)
   {
-    const MaterialTable& table = materials.MaterialTables()[i];
+    const MaterialFunction& table = materials.MaterialTables()[i];
     if (table.decidesOnOpacity)
     {
       const std::size_t row = mask == Mask::Labels ? i : 1;
@@ -147,7 +147,7 @@ void FieldResources::UpdateExtremes(const FieldInputs& inputs)
   this->madeFrom.reset();
   this->UpdateRanges(inputs);
   const ExtremeLook look{ inputs.materials.OpticalTables().Table(),
-    march.frame.material.property->GetScalarOpacityUnitDistance(),
+    march.frame.material.functions.opacityUnitDistancesMm[0],
     march.frame.quality.budget.FieldError() };
   this->field.BuildExtremes(march.frame.view.window, look, largest, march.plan.marcher);
   this->madeFrom = source;

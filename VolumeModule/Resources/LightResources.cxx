@@ -2,7 +2,6 @@
 
 #include "Core/Look/OpticalTable.h"
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/SceneFingerprint.h"
 
 #include "vtkOpenGLRenderWindow.h"
 
@@ -73,7 +72,7 @@ double LatticesOfALight(const VolumeMarch& march)
 // All inputs of a light's way through the volume, without those of the light itself.
 Fingerprint InputsOf(const VolumeMarch& march)
 {
-  return Fingerprint(ExtinctionFingerprint(march.frame), march.frame.geometry.worldFromGrid,
+  return Fingerprint(march.frame.extinction, march.frame.geometry.worldFromGrid,
     march.plan.budget.LightError(), LatticesOfALight(march));
 }
 
@@ -225,16 +224,16 @@ void LightResources::UpdateSums(const VolumeMarch& march, const MaterialResource
   if (!areRead)
   {
     this->sums.clear();
-    this->sumInputs.clear();
+    this->sumInputs = {};
     return;
   }
   const double mostExtinction = DepthOfOpaqueVoxel / march.frame.geometry.SmallestSpacingMm();
-  const std::vector<double> inputs = { double(materials.TableBuilds()), mostExtinction };
+  Fingerprint inputs(materials.TableBuilds(), mostExtinction);
   if (this->sumInputs == inputs)
   {
     return;
   }
-  this->sumInputs = inputs;
+  this->sumInputs = std::move(inputs);
   this->sums.clear();
   for (const OpticalTable& table : materials.OpticalTables().Tables())
   {

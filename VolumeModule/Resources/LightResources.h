@@ -75,7 +75,7 @@ private:
   std::vector<PacketShadows> shadows = { {} }; ///< The lattices of each material.
   PacketSky sky = {};
   std::vector<std::vector<double>> sums; ///< ExtinctionSums of each optical table.
-  std::vector<double> sumInputs;
+  Fingerprint sumInputs;
   FloatTable directions; ///< Table that shaders read; empty without ambient occlusion.
 };
 

@@ -1,15 +1,12 @@
 #include "Resources/MaterialResources.h"
 
 #include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/PropertyTransferFunction.h"
 #include "Resources/MaterialTables.h"
 #include "Resources/ProcessorVolume.h"
 #include "Resources/ValueFocus.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkType.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +18,8 @@ namespace varimarch
 namespace
 {
 
-// Opacity curves; a null pointer stands for a curve that is 1 everywhere.
-using Curves = std::vector<vtkPiecewiseFunction*>;
-
-// The curve of each material of a mixture, or of each row of labels.
-Curves GradientOpacitiesOf(vtkVolumeProperty* property, const RenderSettings& settings)
-{
-  Curves curves;
-  for (int part = 0; part < PartCount(settings); ++part)
-  {
-    const bool has =
-      property->HasGradientOpacity(part) && !property->GetDisableGradientOpacity(part);
-    curves.push_back(has ? property->GetGradientOpacity(part) : nullptr);
-  }
-  if (settings.mask == Mask::Labels)
-  {
-    for (const int label : LabelsOf(property))
-    {
-      vtkPiecewiseFunction* const own = property->GetLabelGradientOpacity(label);
-      curves.push_back(own ? own : curves.front());
-    }
-  }
-  return curves;
-}
+// Opacity curves; none stands for a curve that is 1 everywhere.
+using Curves = std::vector<std::optional<TransferFunction>>;
 
 /// The gradients that matter for the table of a component's curves.
 struct GradientRange
@@ -58,10 +34,9 @@ constexpr int LastEntry = GradientOpacityTable::EntriesPerCurve - 1;
 /// The gradient of the last entry that a curve needs: the last at which it changes. If that is a
 /// step, it is the gradient of the last entry but one. Then a step is one entry wide, however far
 /// from the others some values of the volume are. 0 if the curve is the same everywhere.
-double LastGradientOf(vtkPiecewiseFunction* function, const GradientRange& range)
+double LastGradientOf(const std::optional<TransferFunction>& function, const GradientRange& range)
 {
-  const TransferFunction curve =
-    function ? OpacityCurveOf(function) : TransferFunction({}, {}, 1.0);
+  const TransferFunction curve = function.value_or(TransferFunction({}, {}, 1.0));
   const double last = curve.ChangingValues().value_or(ValueRange{ -1.0, -1.0 }).upper;
   const std::vector<Step> steps = curve.Steps();
   const bool endsInStep = std::any_of(steps.begin(), steps.end(),
@@ -120,7 +95,7 @@ std::vector<glm::vec4> GradientOpacityEntries(
   {
     if (curves[i])
     {
-      const TransferFunction curve = OpacityCurveOf(curves[i]);
+      const TransferFunction& curve = *curves[i];
       const std::vector<Step> steps = curve.Steps();
       const double gap = largest[std::min(i, largest.size() - 1)] / LastEntry;
       for (int entry = 0; entry <= LastEntry; ++entry)
@@ -143,12 +118,8 @@ void GradientOpacityTable::Update(const VolumeMarch& march, const std::vector<Sc
     this->Release(march.frame.view.window);
     return;
   }
-  const Curves curves = GradientOpacitiesOf(march.frame.material.property, march.settings);
-  Fingerprint inputs(march.frame.material.property->GetMTime());
-  for (vtkPiecewiseFunction* curve : curves)
-  {
-    inputs.Add(Fingerprint(curve, curve ? curve->GetMTime() : 0));
-  }
+  const Curves& curves = march.frame.material.functions.gradientOpacities;
+  Fingerprint inputs = march.frame.material.functions.gradientOpacityInputs;
   const std::vector<GradientRange> ranges = GradientRangesOf(march, texels);
   for (const GradientRange& range : ranges)
   {
@@ -278,7 +249,7 @@ constexpr std::size_t FewestPreIntegrated = 256;
 
 std::size_t PreIntegratedEntries(const VolumeMarch& march, const OpticalTable& table)
 {
-  const TransferFunction function = TransferFunctionOf(march.frame.material.property);
+  const TransferFunction& function = march.frame.material.functions.first;
   const double range = table.lastValue - table.firstValue;
   std::size_t side = function.IsPiecewiseLinear() ? FewestPreIntegrated : MostPreIntegratedValues;
   while (side < MostPreIntegratedValues &&
@@ -293,8 +264,7 @@ std::size_t PreIntegratedEntries(const VolumeMarch& march, const OpticalTable& t
 // The table of isosurfaces. Each has two entries: its colour and optical depth, and its isovalue.
 std::vector<glm::vec4> IsosurfaceEntriesOf(const Frame& frame, const TexelMapping& mapping)
 {
-  const TransferFunction transferFunction =
-    TransferFunctionOf(frame.material.property, frame.material.surfaceComponent);
+  const TransferFunction& transferFunction = *frame.material.functions.ofIsosurfaces;
   std::vector<glm::vec4> entries;
   for (double isovalue : frame.material.isovalues)
   {
@@ -320,13 +290,11 @@ void MaterialResources::Update(const VolumeMarch& march, const std::vector<Scala
 void MaterialResources::UpdateOpticalTable(
   const VolumeMarch& march, const std::vector<ScalarTexels>& texels)
 {
-  const Fingerprint inputs = MaterialTableInputs(march.frame.material.property, march.settings);
-  if (this->tableOfProperty != march.frame.material.property || this->tableOfTexels != texels ||
-    this->tableInputs != inputs)
+  const Fingerprint& inputs = march.frame.material.functions.tableInputs;
+  if (this->tableOfTexels != texels || this->tableInputs != inputs)
   {
     this->opticalTable.SetTables(march.frame.view.window, this->BuildTables(march, texels));
     this->tableOfTexels = texels; // they have the range that the table spans
-    this->tableOfProperty = march.frame.material.property;
     this->tableInputs = inputs;
     ++this->tableBuilds;
   }
@@ -352,7 +320,7 @@ std::vector<OpticalTable> MaterialResources::BuildTables(
   // All tables share MostEntries, but each has at least FewestEntries.
   constexpr std::size_t MostEntries = 65536;
   constexpr std::size_t FewestEntries = 256;
-  this->materialTables = MaterialTablesOf(march.frame.material.property, march.settings);
+  this->materialTables = march.frame.material.functions.ofMaterials;
   const std::size_t entries = std::max(MostEntries / this->materialTables.size(), FewestEntries);
   std::vector<OpticalTable> tables;
   if (march.settings.functionOf != FunctionOf::Value)
@@ -361,7 +329,7 @@ std::vector<OpticalTable> MaterialResources::BuildTables(
   }
   while (tables.size() < this->materialTables.size())
   {
-    const MaterialTable& table = this->materialTables[tables.size()];
+    const MaterialFunction& table = this->materialTables[tables.size()];
     const ValueRange& range = texels[table.component].resolved;
     tables.push_back(BuildOpticalTable(table.transferFunction, range.lower, range.upper, entries));
   }
@@ -370,10 +338,10 @@ std::vector<OpticalTable> MaterialResources::BuildTables(
 
 OpticalTable MaterialResources::BuildTwoValues(const VolumeMarch& march, const ScalarTexels& texels)
 {
-  vtkVolumeProperty* const property = march.frame.material.property;
-  TwoValueTable table = TwoValueTableOf(property);
-  OpticalTable bound = UpperBound(table, { texels.smallestScalar, texels.largestScalar },
-    property->GetScalarOpacityUnitDistance());
+  const MaterialFunctions& functions = march.frame.material.functions;
+  TwoValueTable table = TwoValueTableOf(functions.twoValues);
+  OpticalTable bound = UpperBound(
+    table, { texels.smallestScalar, texels.largestScalar }, functions.opacityUnitDistancesMm[0]);
   this->twoValuesSize = table.size;
   this->twoValues.Set(march.frame.view.window, std::move(table.entries));
   return bound;

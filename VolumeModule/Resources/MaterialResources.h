@@ -18,8 +18,6 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkVolumeProperty;
-
 namespace varimarch
 {
 
@@ -128,7 +126,7 @@ public:
 
   const OpticalTableTexture& OpticalTables() const { return this->opticalTable; }
   const PreIntegratedTableTexture& PreIntegrated() const { return this->preIntegratedTable; }
-  const std::vector<MaterialTable>& MaterialTables() const { return this->materialTables; }
+  const std::vector<MaterialFunction>& MaterialTables() const { return this->materialTables; }
   glm::ivec2 TwoValuesSize() const { return this->twoValuesSize; }
   /// The textures of the look, and no others.
   VolumeTextures Textures() const;
@@ -148,9 +146,8 @@ private:
   void UpdateIsosurfaces(const VolumeMarch& march, const std::vector<ScalarTexels>& texels);
 
   OpticalTableTexture opticalTable;
-  std::vector<MaterialTable> materialTables; ///< The functions in the optical table.
+  std::vector<MaterialFunction> materialTables; ///< The functions in the optical table.
   int tableBuilds = 0;
-  vtkVolumeProperty* tableOfProperty = nullptr;
   std::vector<ScalarTexels> tableOfTexels;
   Fingerprint tableInputs;
   bool mergesValues = false;

@@ -1,14 +1,8 @@
 #include "Resources/MaterialTables.h"
 
-#include "Core/Recipe/ShaderRecipe.h"
-#include "Frame/PropertyTransferFunction.h"
-
-#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,26 +34,10 @@ bool ExceedsOne(const VoxelComponent& component)
   return range[1] > Rounded;
 }
 
-TransferFunction WithoutOpacities(const TransferFunction& function)
-{
-  return { function.Colors(), {}, function.OpacityUnitDistanceMm() };
 }
 
-// A function of two values stands in another table.
-MaterialTable FirstTableOf(vtkVolumeProperty* property, const RenderSettings& settings)
+TwoValueTable TwoValueTableOf(vtkImageData* image)
 {
-  return { 0,
-    settings.functionOf == FunctionOf::Value
-      ? TransferFunctionOf(property)
-      : TransferFunction({}, {}, property->GetScalarOpacityUnitDistance()),
-    true };
-}
-
-}
-
-TwoValueTable TwoValueTableOf(vtkVolumeProperty* property)
-{
-  vtkImageData* const image = property->GetTransferFunction2D();
   vtkDataArray* const colors = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!colors || colors->GetNumberOfComponents() != 4 || image->GetNumberOfPoints() == 0)
   {
@@ -102,65 +80,6 @@ OpticalTable UpperBound(
     bound.entries.emplace_back(1.0, 1.0, 1.0, extinction);
   }
   return bound;
-}
-
-std::vector<MaterialTable> MaterialTablesOf(
-  vtkVolumeProperty* property, const RenderSettings& settings)
-{
-  if (settings.mask == Mask::Labels)
-  {
-    std::vector<MaterialTable> rows = { FirstTableOf(property, settings) };
-    for (const int label : LabelsOf(property))
-    {
-      rows.push_back({ 0, LabelTransferFunctionOf(property, label), true });
-    }
-    return rows;
-  }
-  switch (settings.components)
-  {
-    case Components::LuminanceOpacity:
-      return { { 0, WithoutOpacities(TransferFunctionOf(property)), false },
-        { 1, TransferFunctionOf(property), true } };
-    case Components::Rgba:
-      return { { 3, TransferFunctionOf(property), true } };
-    default:
-      break;
-  }
-  std::vector<MaterialTable> tables = { FirstTableOf(property, settings) };
-  for (int component = 1; component < PartCount(settings); ++component)
-  {
-    tables.push_back({ component, FunctionOfComponent(property, component), true });
-  }
-  return tables;
-}
-
-Fingerprint MaterialTableInputs(vtkVolumeProperty* property, const RenderSettings& settings)
-{
-  const bool hasLabels = settings.mask == Mask::Labels;
-  Fingerprint inputs(settings.components, settings.componentCount, settings.functionOf, hasLabels);
-  for (int component = 0; component < PartCount(settings); ++component)
-  {
-    inputs.Add(TransferFunctionInputs(property, component));
-  }
-  if (settings.functionOf != FunctionOf::Value || hasLabels)
-  {
-    inputs.Add(property->GetMTime());
-  }
-  if (hasLabels)
-  {
-    for (const int label : LabelsOf(property))
-    {
-      vtkColorTransferFunction* const color = property->GetLabelColor(label);
-      vtkPiecewiseFunction* const opacity = property->GetLabelScalarOpacity(label);
-      inputs.Add(
-        Fingerprint(label, color ? color->GetMTime() : 0, opacity ? opacity->GetMTime() : 0));
-    }
-  }
-  if (settings.functionOf != FunctionOf::Value && property->GetTransferFunction2D())
-  {
-    inputs.Add(property->GetTransferFunction2D()->GetMTime());
-  }
-  return inputs;
 }
 
 int OpacityComponentOf(const RenderSettings& settings, int part)

@@ -2,8 +2,6 @@
 
 #include "Core/Look/OpticalTable.h"
 #include "Frame/FiniteRange.h"
-#include "Frame/PropertyTransferFunction.h"
-#include "Resources/MaterialTables.h"
 
 #include <algorithm>
 #include <sstream>
@@ -31,10 +29,10 @@ OptionalRange Both(const OptionalRange& one, const OptionalRange& other)
 std::vector<OptionalRange> ValuesOfFunctions(const Frame& frame)
 {
   std::vector<OptionalRange> values(frame.voxels.components.size());
-  for (const MaterialTable& table : MaterialTablesOf(frame.material.property, frame.settings))
+  for (const MaterialFunction& function : frame.material.functions.ofMaterials)
   {
-    OptionalRange& ofComponent = values[table.component];
-    ofComponent = Both(ofComponent, table.transferFunction.ChangingValues());
+    OptionalRange& ofComponent = values[function.component];
+    ofComponent = Both(ofComponent, function.transferFunction.ChangingValues());
   }
   return values;
 }
@@ -78,15 +76,14 @@ std::vector<OptionalRange> ValuesThatMatter(const Frame& frame)
 
 Fingerprint ValueInputs(const Frame& frame)
 {
-  return Fingerprint(MaterialTableInputs(frame.material.property, frame.settings),
-    frame.settings.blend, frame.settings.shading, frame.material.averagedRange,
-    frame.material.isovalues);
+  return Fingerprint(frame.material.functions.inputs, frame.settings.blend, frame.settings.shading,
+    frame.material.averagedRange, frame.material.isovalues);
 }
 
 std::vector<ValueRange> OpaqueValuesOf(const Frame& frame, const ScalarTexels& texels)
 {
   return OpaqueValues(
-    TransferFunctionOf(frame.material.property), { texels.smallestScalar, texels.largestScalar });
+    frame.material.functions.first, { texels.smallestScalar, texels.largestScalar });
 }
 
 void CheckReach(const ScalarTexels& texels, const OptionalRange& thatMatter)

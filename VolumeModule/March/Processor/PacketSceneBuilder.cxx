@@ -352,8 +352,8 @@ PacketColors ColorsOf(
 // The index of the table that has a part's opacities.
 std::size_t OpacityTableOf(const VolumeResources& volume, int component)
 {
-  const std::vector<MaterialTable>& tables = volume.Materials().MaterialTables();
-  const auto decides = [&](const MaterialTable& table)
+  const std::vector<MaterialFunction>& tables = volume.Materials().MaterialTables();
+  const auto decides = [&](const MaterialFunction& table)
   { return table.decidesOnOpacity && table.component == component; };
   return std::size_t(std::find_if(tables.begin(), tables.end(), decides) - tables.begin());
 }
