@@ -7,11 +7,11 @@
 #include "Frame/RequestedPass.h"
 #include "Frame/ShadowCasters.h"
 #include "Frame/VoxelsOnDisk.h"
-#include "March/AccuracyNotes.h"
 #include "March/Device/GraphicsDriver.h"
 #include "March/FrameMarcher.h"
 #include "March/MapperInternals.h"
 #include "March/PassMarch.h"
+#include "Tolerance/AccuracyNotes.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"

@@ -2,7 +2,7 @@
 #define Varimarch_March_MapperInternals_h
 
 #include "Core/Quality/InteractiveQuality.h"
-#include "March/LevelOfDetail.h"
+#include "Levels/LevelOfDetail.h"
 #include "March/RayMarcher.h"
 #include "vtkVariationFieldVolumeMapper.h"
 

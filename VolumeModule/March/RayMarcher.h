@@ -3,16 +3,16 @@
 
 #include "Core/Quality/InteractiveQuality.h"
 #include "Frame/MarchPlan.h"
-#include "March/AccuracyNotes.h"
 #include "March/Device/BoxDrawing.h"
 #include "March/Device/ShaderMarcher.h"
 #include "March/ImageAccumulator.h"
 #include "March/PassMarch.h"
 #include "March/Processor/GeometryDimming.h"
 #include "March/Processor/PacketMarcher.h"
-#include "March/ToleranceSearch.h"
-#include "March/TrialImages.h"
 #include "Resources/SceneResources.h"
+#include "Tolerance/AccuracyNotes.h"
+#include "Tolerance/ToleranceSearch.h"
+#include "Tolerance/TrialImages.h"
 
 #include "vtkWeakPointer.h"
 

@@ -4,7 +4,7 @@
 #include "Frame/RendererVolumes.h"
 #include "Frame/VolumeGeometry.h"
 #include "Frame/VoxelsOnDisk.h"
-#include "March/LevelOfDetail.h"
+#include "Levels/LevelOfDetail.h"
 #include "March/MapperInternals.h"
 #include "VtkVersions.h"
 

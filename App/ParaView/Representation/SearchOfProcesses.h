@@ -1,7 +1,7 @@
 #ifndef Varimarch_SearchOfProcesses_h
 #define Varimarch_SearchOfProcesses_h
 
-#include "March/SharedSearch.h"
+#include "Tolerance/SharedSearch.h"
 
 #include <vector>
 

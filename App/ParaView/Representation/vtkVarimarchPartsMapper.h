@@ -13,8 +13,8 @@
 #ifndef vtkVarimarchPartsMapper_h
 #define vtkVarimarchPartsMapper_h
 
-#include "March/SharedSearch.h"                    // For SharedSearch
 #include "OwnedPart.h"                             // For OwnedPart
+#include "Tolerance/SharedSearch.h"                // For SharedSearch
 #include "VarimarchParaViewRepresentationModule.h" // For export macro
 #include "vtkVariationFieldVolumeMapper.h"
 

@@ -2,8 +2,8 @@
 #define Varimarch_Testing_DividedVolume_h
 
 #include "Core/Geometry/Box.h"
-#include "March/SharedSearch.h"
 #include "Module/Scenes/MapperScene.h"
+#include "Tolerance/SharedSearch.h"
 
 #include <array>
 #include <memory>

@@ -1,7 +1,7 @@
 // Steps that several mappers share, each of which draws a part of one volume.
 
-#include "March/SharedSearch.h"
 #include "Module/Scenes/MapperScene.h"
+#include "Tolerance/SharedSearch.h"
 
 #include <vtkCamera.h>
 #include <vtkLight.h>

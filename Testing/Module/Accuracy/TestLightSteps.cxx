@@ -1,6 +1,6 @@
 // Steps of light that are longer than those of the image it lights.
 
-#include "March/ToleranceSearch.h"
+#include "Tolerance/ToleranceSearch.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "Frame/Lights.h"
 #include "March/Processor/GeometryReceivers.h"
 #include "March/Processor/PacketSceneBuilder.h"
-#include "March/SearchFacts.h"
+#include "Tolerance/SearchFacts.h"
 #include "VtkVersions.h"
 
 #include "vtkOpenGLRenderWindow.h"

@@ -1,9 +1,9 @@
-#ifndef Varimarch_March_ToleranceSearch_h
-#define Varimarch_March_ToleranceSearch_h
+#ifndef Varimarch_Tolerance_ToleranceSearch_h
+#define Varimarch_Tolerance_ToleranceSearch_h
 
 #include "Core/Quality/StepSearch.h"
-#include "March/SearchFacts.h"
-#include "March/TrialImages.h"
+#include "Tolerance/SearchFacts.h"
+#include "Tolerance/TrialImages.h"
 #include "VarimarchVolumeModule.h" // for the export macro
 
 #include <list>

@@ -1,5 +1,5 @@
-#ifndef Varimarch_March_AccuracyNotes_h
-#define Varimarch_March_AccuracyNotes_h
+#ifndef Varimarch_Tolerance_AccuracyNotes_h
+#define Varimarch_Tolerance_AccuracyNotes_h
 
 #include "Frame/MarchPlan.h"
 #include "Resources/SceneResources.h"

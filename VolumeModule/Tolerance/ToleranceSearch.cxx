@@ -1,7 +1,7 @@
 // The search draws some of the rays of an image at several sample distances, which shows the error
 // of each distance.
 
-#include "March/ToleranceSearch.h"
+#include "Tolerance/ToleranceSearch.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-#ifndef Varimarch_March_SharedSearch_h
-#define Varimarch_March_SharedSearch_h
+#ifndef Varimarch_Tolerance_SharedSearch_h
+#define Varimarch_Tolerance_SharedSearch_h
 
 #include "Frame/MarchPlan.h"
 #include "VarimarchVolumeModule.h" // for the export macro

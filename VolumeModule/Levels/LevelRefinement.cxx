@@ -1,4 +1,4 @@
-#include "March/LevelRefinement.h"
+#include "Levels/LevelRefinement.h"
 
 #include "Core/Geometry/LightCone.h"
 #include "Core/Geometry/SphereQuadrature.h"

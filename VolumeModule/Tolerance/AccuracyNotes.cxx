@@ -1,4 +1,4 @@
-#include "March/AccuracyNotes.h"
+#include "Tolerance/AccuracyNotes.h"
 
 #include "Core/Geometry/TriangleTree.h"
 #include "Core/Recipe/ShaderRecipe.h"

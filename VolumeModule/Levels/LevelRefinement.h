@@ -1,5 +1,5 @@
-#ifndef Varimarch_March_LevelRefinement_h
-#define Varimarch_March_LevelRefinement_h
+#ifndef Varimarch_Levels_LevelRefinement_h
+#define Varimarch_Levels_LevelRefinement_h
 
 #include "Core/Blocks/VoxelUnits.h"
 #include "Core/Fields/VolumeSummary.h"

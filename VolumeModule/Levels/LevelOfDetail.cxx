@@ -1,4 +1,4 @@
-#include "March/LevelOfDetail.h"
+#include "Levels/LevelOfDetail.h"
 
 #include "Frame/FrameBuilder.h"
 #include "Readers/Paging/MappedMemory.h"

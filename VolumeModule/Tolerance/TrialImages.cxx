@@ -1,4 +1,4 @@
-#include "March/TrialImages.h"
+#include "Tolerance/TrialImages.h"
 
 #include "Core/Quality/StepSearch.h"
 #include "March/RayParametersBuilder.h"

@@ -1,9 +1,9 @@
-#ifndef Varimarch_March_TrialImages_h
-#define Varimarch_March_TrialImages_h
+#ifndef Varimarch_Tolerance_TrialImages_h
+#define Varimarch_Tolerance_TrialImages_h
 
 #include "Core/Quality/MarchWork.h"
 #include "Frame/MarchPlan.h"
-#include "March/SearchFacts.h"
+#include "Tolerance/SearchFacts.h"
 
 #include <deque>
 #include <exception>

@@ -1,9 +1,9 @@
-#ifndef Varimarch_March_LevelOfDetail_h
-#define Varimarch_March_LevelOfDetail_h
+#ifndef Varimarch_Levels_LevelOfDetail_h
+#define Varimarch_Levels_LevelOfDetail_h
 
 #include "Core/Fields/VolumeSummary.h"
 #include "Frame/Frame.h"
-#include "March/LevelRefinement.h"
+#include "Levels/LevelRefinement.h"
 #include "March/RayMarcher.h"
 
 #include "vtkRenderer.h"

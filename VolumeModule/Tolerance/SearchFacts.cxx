@@ -1,4 +1,4 @@
-#include "March/SearchFacts.h"
+#include "Tolerance/SearchFacts.h"
 
 #include "Core/Recipe/MaterialRecipe.h"
 #include "Core/Recipe/ShaderRecipe.h"
@@ -159,9 +159,9 @@ Fingerprint RuleInputsOf(const VolumeMarch& march)
 Fingerprint SceneInputsOf(const VolumeMarch& march)
 {
   const Viewport& pixels = march.plan.viewport;
-  Fingerprint inputs(march.frame.unlit, pixels.width, pixels.height,
-    march.settings.occlusion, march.frame.levelRound, march.frame.image.windowScaleBias,
-    march.frame.span.firstDistanceMm, march.frame.quality.variationTolerance);
+  Fingerprint inputs(march.frame.unlit, pixels.width, pixels.height, march.settings.occlusion,
+    march.frame.levelRound, march.frame.image.windowScaleBias, march.frame.span.firstDistanceMm,
+    march.frame.quality.variationTolerance);
   // Lights and geometry stay where they are in the world when a volume moves with its view.
   if (march.settings.lights)
   {

@@ -1,5 +1,5 @@
-#ifndef Varimarch_March_SearchFacts_h
-#define Varimarch_March_SearchFacts_h
+#ifndef Varimarch_Tolerance_SearchFacts_h
+#define Varimarch_Tolerance_SearchFacts_h
 
 #include "Core/Geometry/ProjectedBox.h"
 #include "Core/Quality/StepSearch.h"

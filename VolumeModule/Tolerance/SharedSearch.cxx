@@ -1,11 +1,11 @@
-#include "March/SharedSearch.h"
+#include "Tolerance/SharedSearch.h"
 
 #include "Core/Geometry/ProjectedBox.h"
 #include "Frame/FrameBuilder.h"
 #include "Frame/FrameMeasures.h"
-#include "March/LevelOfDetail.h"
+#include "Levels/LevelOfDetail.h"
 #include "March/MapperInternals.h"
-#include "March/SearchFacts.h"
+#include "Tolerance/SearchFacts.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
