@@ -28,6 +28,7 @@ from .overlays import overlays_of
 from .settings import SETTINGS, explained, take_settings
 from .vtk_messages import vtk_messages_as_exceptions
 
+VIEWS = tuple(SETTINGS["view"]["schema"]["enum"])
 BLENDS = ("composite", "maximum", "minimum", "average", "additive")
 LEVELS = ("voxels", "coarse", "refined")
 # The largest side of a 2D texture that all relevant versions of OpenGL guarantee.

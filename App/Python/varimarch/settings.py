@@ -53,8 +53,16 @@ def checked(name, value):
 def explained(name):
     """Returns the paragraph of a setting for a docstring."""
     setting = SETTINGS[name]
+    meaning = setting["meaning"]
+    usual = setting["usual"]
+    if "enum" in setting["schema"]:
+        meaning += ": " + ", ".join(f'"{word}"' for word in setting["schema"]["enum"])
+        usual = f'"{usual}"'
+    elif setting["schema"]["type"] == "boolean":
+        meaning = "True to " + meaning
+        usual = usual.title()
     unit = f" [{setting['unit']}]" if setting["unit"] else ""
-    words = f"{name}: {setting['meaning']}{unit}; default: {setting['usual']}."
+    words = f"{name}: {meaning}{unit}; default: {usual}."
     return textwrap.fill(
         words.replace("`", ""), 100, initial_indent=" " * 4, subsequent_indent=" " * 8
     )
