@@ -98,12 +98,10 @@ CLI::Validator CheckOf(const Json& schema)
     return CLI::Range(schema["minimum"].get<int>(), schema["maximum"].get<int>()).description("");
   }
   const NumberRange range = RangeOf(schema);
-  const bool isClosed = !range.excludesSmallest && !range.excludesLargest;
-  if (isClosed && std::isfinite(range.smallest) && std::isfinite(range.largest))
-  {
-    return CLI::Range(range.smallest, range.largest).description("");
-  }
-  return isClosed && range.smallest == 0.0 ? CLI::NonNegativeNumber.description("") : IsIn(range);
+  // CLI11's own message suits ranges with two ends that count.
+  const bool isClosed = !range.excludesSmallest && !range.excludesLargest &&
+    std::isfinite(range.smallest) && std::isfinite(range.largest);
+  return isClosed ? CLI::Range(range.smallest, range.largest).description("") : IsIn(range);
 }
 
 // The option of a setting of one number or word.

@@ -106,7 +106,7 @@ const Fields<Occlusion>& OcclusionFields()
         .Argument();
       list
         .Add("reach", &Occlusion::reachMm, NumberForm({ 0.0 }),
-          { "the distance beyond which matter does not occlude", "mm", "0: 16 voxels" })
+          { "the distance beyond which matter does not occlude", "mm", "0, which is 16 voxels" })
         .Option("--occlusion-reach", "MM")
         .Argument();
     });

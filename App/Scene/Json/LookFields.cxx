@@ -215,7 +215,7 @@ void AddMoreLookFields(Fields<Look>& fields)
     .Add("damping", &Look::dampingGradient, NumberForm({ 0.0 }),
       { "the magnitude of the gradient below which diffuse and specular light are reduced in "
         "proportion, in units of the look's values per mm",
-        "", "0: none", ": noise in homogeneous material does not glitter" })
+        "", "0, none", ": noise in homogeneous material does not glitter" })
     .OmitDefault()
     .Option("--damping", "G")
     .Argument();

@@ -162,14 +162,13 @@ void AddVoxelsAndSteps(Fields<RenderOptions>& fields)
     .Argument();
   fields
     .Add("sampleDistanceVoxels", &Options::sampleDistanceVoxels, NumberOrAutoForm(Positive),
-      { "instead of `sampleDistance`: the distance between samples in units of the smallest voxel "
-        "spacing",
-        "", nullptr, ", or `\"auto\"`" })
+      { "the distance between samples in units of the smallest voxel spacing", "", nullptr,
+        ", instead of `sampleDistance`, or `\"auto\"`" })
     .Option("--sample-distance-voxels", "N");
   fields
     .Add("steps", &Options::mostSteps, IntegerForm(0),
       { "with a given sample distance: the number of these distances after which a ray ends", "",
-        "0: no limit", ", for `first-hit` the number of samples behind the hit" })
+        "0, no limit", ", for `first-hit` the number of samples behind the hit" })
     .Option("--steps", "N");
   fields
     .Add("firstDistance", &Options::firstDistanceMm, NumberForm({ 0.0 }),
@@ -264,13 +263,13 @@ const Fields<Camera>& CameraFields()
         .Argument();
       list
         .Add("azimuth", &Camera::azimuthDegrees, NumberForm(),
-          { "turns the eye about the image's vertical; from anterior, to the patient's left",
+          { "rotation of the eye about the image's vertical; from anterior, to the patient's left",
             "degrees" })
         .Option("--azimuth", "DEG")
         .Argument();
       list
         .Add("elevation", &Camera::elevationDegrees, NumberForm({ -90.0, 90.0, true, true }),
-          { "then lifts it, between -90 and 90", "degrees" })
+          { "elevation of the eye after that, between -90 and 90", "degrees" })
         .Option("--elevation", "DEG")
         .Argument();
       list
@@ -317,7 +316,7 @@ const Fields<SceneCuts>& CutsFields()
         .Add("faceDepth", &SceneCuts::faceDepthMm, NumberForm({ 0.0 }),
           { "cut the front half of a head away to this depth behind its smoothed surface, such as "
             "15 mm; look at the image: this is no anonymization",
-            "", "0: it stays", " (see the user guide; overlays are then not drawn)" })
+            "", "0, it stays", " (see the user guide; overlays are then not drawn)" })
         .Option("--remove-face", "MM");
     });
   return fields;
