@@ -407,7 +407,7 @@ public:
   vtkGetMacro(LongestPartSeconds, double);
   ///@}
 
-  // Missing values, light that the volume dims, and masks, which a vtkVolumeProperty lacks.
+  // A vtkVolumeProperty has no missing values, no light that the volume dims, and no masks.
 
   ///@{
   /**

@@ -2,7 +2,7 @@
 // double precision.
 
 #include "Core/Geometry/TriangleTree.h"
-#include "Core/Packets/Casters.h"
+#include "Core/Packets/DimmedMaterial.h"
 #include "Support/TriangleHits.h"
 
 #include <glm/geometric.hpp>

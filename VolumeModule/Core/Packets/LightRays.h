@@ -161,7 +161,7 @@ struct KnownDepth
 
 /// @param depth  up to the places
 /// @param taken  the optical depth of a cell that is filled by the matter at the places
-[[maybe_unused]] KnownDepth DepthOfCells(
+KnownDepth DepthOfCells(
   const TracedLight& light, const Lanes3& placeGrid, Lanes depth, LaneMask mask, Lanes taken);
 
 /// The depths of rays to a light that its lattice tells.
