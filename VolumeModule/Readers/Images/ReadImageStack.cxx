@@ -48,8 +48,8 @@ struct Picture
   int orientation = 1;                            ///< as in StackGeometry
 };
 
-/// Fails unless all parts of a PNG file are there with their checksums, because libpng prints the
-/// faults of others.
+/// Fails unless all parts of a PNG file are there with their checksums, since vtkPNGReader of VTK
+/// 9.1 crashes on a truncated file.
 void CheckPng(const std::string& path, const std::string& bytes)
 {
   const BinaryHeader numbers(bytes, true);
