@@ -25,7 +25,8 @@ class ExportActions : public QObject
   Q_OBJECT
 
 public:
-  /// The model that is shown, in a view whose size exported images have, at the speed of the bar of times.
+  /// The model that is shown, in a view whose size exported images have, at the speed of the bar of
+  /// times.
   struct Context
   {
     SceneModel* model;

@@ -32,8 +32,8 @@ def output_of(*command):
 def marked_names(folder):
     """The classes and the functions with the macro, without the namespaces and classes around them."""
     text = "\n".join(path.read_text() for path in folder.rglob("*.[hc]*"))
-    classes = re.findall(r"\bclass VARIMARCHVOLUME_EXPORT (\w+)", text)
-    functions = re.findall(r"VARIMARCHVOLUME_EXPORT\s+(?!class)[\w:<>*&\s]+?(\w+)\(", text)
+    classes = re.findall(r"\b(?:class|struct) VARIMARCHVOLUME_EXPORT (\w+)", text)
+    functions = re.findall(r"VARIMARCHVOLUME_EXPORT\s+(?!class|struct)[\w:<>*&\s]+?(\w+)\(", text)
     return set(classes), set(functions)
 
 

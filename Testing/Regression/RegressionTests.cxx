@@ -5,12 +5,12 @@
 #include "Regression/PictureJudgement.h"
 #include "Regression/RegressionCase.h"
 #include "Regression/VtkDifferences.h"
-#include "Regression/VtkMapper.h"
 #include "Scene/Images/ImageFiles.h"
 #include "Scene/Model/Scene.h"
 
 #include <vtkAbstractVolumeMapper.h>
 #include <vtkCallbackCommand.h>
+#include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkPNGReader.h>
 #include <vtkRegressionTestImage.h>
 #include <vtkRendererCollection.h>
@@ -52,6 +52,27 @@ DrawnBy MapperNamed(const std::string& name)
     throw std::invalid_argument("--mapper " + name + ": expected shaders or vtk");
   }
   return DrawnBy::Varimarch;
+}
+
+// Lets VTK's own GPU mapper draw the volumes of a scene, with all settings that both mappers have.
+void UseVtkMapper(const RegressionScene& scene)
+{
+  for (const std::shared_ptr<MapperScene>& volume : scene.volumes)
+  {
+    volume->UseMapper(varimarch::MapperKind::VtkGpu);
+  }
+  if (scene.overlap)
+  {
+    vtkNew<vtkOpenGLGPUVolumeRayCastMapper> mapper;
+    for (int port = 0; port < scene.overlap->mapper->GetNumberOfInputPorts(); ++port)
+    {
+      if (scene.overlap->mapper->GetNumberOfInputConnections(port) > 0)
+      {
+        mapper->SetInputDataObject(port, scene.overlap->mapper->GetInputDataObject(port, 0));
+      }
+    }
+    scene.overlap->several->SetMapper(mapper);
+  }
 }
 
 RegressionCase CaseNamed(const std::string& name)

@@ -78,8 +78,8 @@ using LoadRequest = std::variant<NewScan, ScanOfFiles, SavedSession, AddedScan, 
 /// The file or folder that a request names first; empty for a computed volume.
 QString PathOf(const LoadRequest& request);
 
-/// The data that were read for a request. A folder with several series has neither study. A file that could
-/// be a segmentation, but does not say so, has both.
+/// The data that were read for a request. A folder with several series has neither study. A file
+/// that could be a segmentation, but does not say so, has both.
 struct LoadResult
 {
   VolumeSource source = {};

@@ -1,5 +1,6 @@
 // Steps of light that are longer than those of the image it lights.
 
+#include "Core/Quality/ErrorBudget.h"
 #include "Tolerance/ToleranceSearch.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 #include <algorithm>
 #include <vector>
 
-using varimarch::LightSource;
+using varimarch::ErrorBudget;
 using varimarch::SearchFacts;
 using varimarch::ToleranceChoice;
 using varimarch::ToleranceSearch;
@@ -76,7 +77,7 @@ TEST(LightSteps, AddTheirErrorToTheEstimate)
     const double mm = choice.step.sampleDistance;
     const double error =
       0.02 * mm * mm + lightErrorPerMm * std::max(mm, choice.light.sampleDistanceMm);
-    EXPECT_LE(error, 1.05 * choice.step.error) << lightErrorPerMm;
+    EXPECT_LE(error, ErrorBudget::EstimateSlack * choice.step.error) << lightErrorPerMm;
     EXPECT_LE(choice.step.error, 1.0 / 64.0) << lightErrorPerMm;
   }
 }
