@@ -123,8 +123,8 @@ protected:
       case PacketShading::HeadLight:
         return LitByHeadLight(this->scene, own.reflectance, color, own.surface);
       case PacketShading::Lights:
-        return LitByLights(
-          this->scene, own.reflectance, this->directionWorld, color, own.surface, this->WorldAt(t));
+        return PacketLights(this->scene, own.reflectance, this->directionWorld)
+          .Lit(color, own.surface, this->WorldAt(t));
       case PacketShading::None:
         break;
     }

@@ -257,13 +257,6 @@ private:
   Lanes3 toEye;
 };
 
-/// The light of all. Its arguments are copies, so that those of a march stay in registers.
-[[gnu::noinline]] FLATTENED inline Lanes3 LitByLights(const PacketScene& scene, Lanes4 reflectance,
-  Lanes3 directionWorld, Lanes3 color, Surface surface, Lanes3 positionWorld)
-{
-  return PacketLights(scene, reflectance, directionWorld).Lit(color, surface, positionWorld);
-}
-
 }
 
 }
