@@ -424,7 +424,7 @@ PictureFolder PictureFolderAt(const std::string& folder)
 }
 
 /// The pictures of a stack, and the names of the files that are not in it.
-struct Stack
+struct SliceFiles
 {
   std::vector<Picture> slices;
   std::string leftOut;
@@ -437,9 +437,9 @@ struct Stack
 };
 
 /// Inspects all files, and leaves out the damaged ones.
-Stack Inspected(const std::vector<std::string>& paths, ReadProgress progress)
+SliceFiles Inspected(const std::vector<std::string>& paths, ReadProgress progress)
 {
-  Stack stack;
+  SliceFiles stack;
   std::string fault;
   for (std::size_t i = 0; i < paths.size(); ++i)
   {
@@ -462,7 +462,7 @@ Stack Inspected(const std::vector<std::string>& paths, ReadProgress progress)
 }
 
 /// Leaves out pictures of another size or type than most.
-Stack OfOneLayout(const Stack& all)
+SliceFiles OfOneLayout(const SliceFiles& all)
 {
   std::vector<VoxelLayout> layouts;
   for (const Picture& picture : all.slices)
@@ -470,7 +470,7 @@ Stack OfOneLayout(const Stack& all)
     layouts.push_back(picture.layout);
   }
   const VoxelLayout& usual = layouts[MostFrequent(layouts)];
-  Stack stack = { {}, all.leftOut };
+  SliceFiles stack = { {}, all.leftOut };
   for (const Picture& picture : all.slices)
   {
     if (IsSame(picture.layout, usual))
@@ -517,7 +517,7 @@ Volume ReadImageStack(const std::string& path, const ReadOptions& options, ReadP
   {
     return ReadTiff(paths.front(), options, progress);
   }
-  const Stack stack = OfOneLayout(Inspected(paths, progress.Part(0.0, 0.2)));
+  const SliceFiles stack = OfOneLayout(Inspected(paths, progress.Part(0.0, 0.2)));
   const std::vector<Picture>& slices = stack.slices;
   Volume volume;
   volume.image = ReadSlices(path, slices, progress.Part(0.2, 1.0));
