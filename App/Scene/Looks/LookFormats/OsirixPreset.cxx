@@ -121,7 +121,7 @@ Look CurveOf(const JsonCursor& points, const JsonCursor& colors)
   return curve;
 }
 
-bool IsWithin(const Look& curve, double value)
+bool IsInRangeOf(const Look& curve, double value)
 {
   return value >= curve.opacities.front().value && value <= curve.opacities.back().value;
 }
@@ -148,7 +148,7 @@ Look Joined(const std::vector<Look>& curves)
     glm::dvec3 rgb;
     for (std::size_t i = 0; i < curves.size(); ++i)
     {
-      if (IsWithin(curves[i], value) && functions[i].Opacity(value) > most)
+      if (IsInRangeOf(curves[i], value) && functions[i].Opacity(value) > most)
       {
         most = functions[i].Opacity(value);
         rgb = functions[i].Color(value);

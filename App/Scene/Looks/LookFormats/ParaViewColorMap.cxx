@@ -18,7 +18,7 @@ namespace
 // Subdivisions between two colours of a file whose colour space is not RGB.
 constexpr int StepsBetween = 8;
 
-std::vector<double> NumbersOf(const JsonCursor& json, std::size_t perNode)
+std::vector<double> NodeNumbersOf(const JsonCursor& json, std::size_t perNode)
 {
   std::vector<double> numbers;
   for (const JsonCursor& element : json.Elements(perNode, perNode * MostLookNodes))
@@ -35,7 +35,7 @@ std::vector<double> NumbersOf(const JsonCursor& json, std::size_t perNode)
 
 std::vector<OpacityNode> OpacitiesOf(const JsonCursor& points)
 {
-  const std::vector<double> numbers = NumbersOf(points, 4);
+  const std::vector<double> numbers = NodeNumbersOf(points, 4);
   std::vector<OpacityNode> nodes;
   for (std::size_t i = 0; i < numbers.size(); i += 4)
   {
@@ -46,7 +46,7 @@ std::vector<OpacityNode> OpacitiesOf(const JsonCursor& points)
 
 std::vector<ColorNode> ColorsOfPoints(const JsonCursor& points)
 {
-  const std::vector<double> numbers = NumbersOf(points, 4);
+  const std::vector<double> numbers = NodeNumbersOf(points, 4);
   std::vector<ColorNode> nodes;
   for (std::size_t i = 0; i < numbers.size(); i += 4)
   {
