@@ -239,22 +239,21 @@ ToleranceChoice ToleranceSearch::ChooseWithLight(Trial& trial, Choose choose)
 
 double ToleranceSearch::LengthenLight(Trial& trial, ToleranceChoice& choice, double ofLimit)
 {
-  // The time of light is inverse to its distance, or to the root of it.
-  constexpr double Longer = 4.0;
-  constexpr int MostTimes = 2;
   // Voxels that are read anew for each pass over the rays take longer than the steps.
   if (!choice.step.KeepsLimit() || trial.facts.range.isOfHalfOctaves)
   {
     return ofLimit;
   }
   ToleranceChoice longer = choice;
-  longer.light.sampleDistanceMm = choice.step.sampleDistance;
-  for (int times = 0; times < MostTimes; ++times)
+  for (const double factor : { 4.0, 16.0 })
   {
-    longer.light.sampleDistanceMm *= Longer;
-    const bool isInRange = longer.light.sampleDistanceMm <= trial.facts.range.coarsest;
-    const double ofLonger = isInRange ? KeptLightOfLimit(trial, longer) : 0.0;
-    if (!isInRange || ofLonger > trial.facts.lightOfLimit)
+    longer.light.sampleDistanceMm = factor * choice.step.sampleDistance;
+    if (longer.light.sampleDistanceMm > trial.facts.range.coarsest)
+    {
+      break;
+    }
+    const double ofLonger = KeptLightOfLimit(trial, longer);
+    if (ofLonger > trial.facts.lightOfLimit)
     {
       break;
     }
