@@ -1,4 +1,4 @@
-#include "CommandLine/VtkMessages.h"
+#include "CommandLine/ReportedErrors.h"
 #include "LightScenes.h"
 #include "Scene/Images/OffscreenView.h"
 #include "Scene/Median.h"

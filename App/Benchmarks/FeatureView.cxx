@@ -1,6 +1,6 @@
 #include "FeatureView.h"
 
-#include "CommandLine/VtkMessages.h"
+#include "CommandLine/ReportedErrors.h"
 #include "Scene/Looks/VolumeProperty.h"
 #include "Scene/Median.h"
 #include "Scene/Model/SceneCamera.h"

@@ -1,7 +1,7 @@
 #include "FrameCost.h"
 
+#include "CommandLine/ReportedErrors.h"
 #include "CommandLine/Results.h"
-#include "CommandLine/VtkMessages.h"
 #include "Scene/Median.h"
 
 #include <vtkVariationFieldVolumeMapper.h>

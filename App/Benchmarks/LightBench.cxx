@@ -1,5 +1,5 @@
 #include "CommandLine/PictureError.h"
-#include "CommandLine/VtkMessages.h"
+#include "CommandLine/ReportedErrors.h"
 #include "Core/Quality/ImageError.h"
 #include "LightScenes.h"
 #include "Scene/Images/OffscreenView.h"

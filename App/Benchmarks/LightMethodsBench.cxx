@@ -1,6 +1,6 @@
 #include "BenchMethods.h"
 #include "CommandLine/PictureError.h"
-#include "CommandLine/VtkMessages.h"
+#include "CommandLine/ReportedErrors.h"
 #include "Comparison/vtkComparisonMapper.h"
 #include "LightScenes.h"
 #include "Scene/Images/OffscreenView.h"

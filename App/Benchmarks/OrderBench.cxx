@@ -2,8 +2,8 @@
 
 #include "Benchmark.h"
 #include "CommandLine/Progress.h"
+#include "CommandLine/ReportedErrors.h"
 #include "CommandLine/Truth.h"
-#include "CommandLine/VtkMessages.h"
 #include "Core/Quality/ImageError.h"
 #include "Scene/Images/OffscreenView.h"
 #include "Scene/Model/Scene.h"

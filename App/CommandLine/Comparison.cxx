@@ -1,10 +1,10 @@
 #include "Comparison.h"
 
+#include "ReportedErrors.h"
 #include "Results.h"
 #include "Scene/Images/OffscreenView.h"
 #include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
-#include "VtkMessages.h"
 
 #include <memory>
 

@@ -4,13 +4,13 @@
 #include "Messages.h"
 #include "OverlayArguments.h"
 #include "Progress.h"
+#include "ReportedErrors.h"
 #include "Results.h"
 #include "Scene/Images/ImageFiles.h"
 #include "Scene/Images/OffscreenView.h"
 #include "Scene/Json/SceneNames.h"
 #include "Scene/Median.h"
 #include "UsageError.h"
-#include "VtkMessages.h"
 
 #include <vtkVariationFieldVolumeMapper.h>
 

@@ -1,8 +1,8 @@
 #include "Messages.h"
 #include "Parser.h"
+#include "ReportedErrors.h"
 #include "Scene/Files/OutputFile.h"
 #include "UsageError.h"
-#include "VtkMessages.h"
 
 #include <CLI/CLI.hpp>
 

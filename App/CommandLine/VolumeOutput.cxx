@@ -3,9 +3,9 @@
 #include "ArgumentChecks.h"
 #include "Messages.h"
 #include "Progress.h"
+#include "ReportedErrors.h"
 #include "Scene/Volumes/VolumeWriters/VolumeWriters.h"
 #include "UsageError.h"
-#include "VtkMessages.h"
 
 #include <filesystem>
 #include <stdexcept>

@@ -1,5 +1,5 @@
-#ifndef Varimarch_CommandLine_VtkMessages_h
-#define Varimarch_CommandLine_VtkMessages_h
+#ifndef Varimarch_CommandLine_ReportedErrors_h
+#define Varimarch_CommandLine_ReportedErrors_h
 
 namespace varimarch
 {

@@ -1,4 +1,4 @@
-#include "CommandLine/VtkMessages.h"
+#include "CommandLine/ReportedErrors.h"
 
 #include "Messages.h"
 #include "Readers/Parsing/VtkMessages.h"
